@@ -64,8 +64,8 @@ def _count(said: str) -> int:
 
 _SAID = rules((
     # "c. 80 sqm", "env. 80 m²", "aprox. 80 m²", "rd. 80 m²"
-    (r"\b(?:c|env|aprox|appr|approx|rd|ungef)\.? ?(?=\d{2})", "about "),
-    (r"\b3 ?er[ -]wg\b", "wg"),
+    (r"\b(?:c\.|(?<=of )c|(?<=flat )c|(?:env|aprox|appr|approx|rd|ungef)\b\.?) ?(?=\d{2})", "about "),
+    (r"\b([2-6]) ?er[ -]wg\b", r"wg mit \1 schlafzimmern"),
     # "3ZKB", "3 ZKBB"
     (r"\b(?P<n>[1-6])(?:[.,]5)? ?-?z(?:i|immer)?\.?(?P<letters>d?kd?bb?t?)\b", _zkb),
     # "piso de 60 metros": a home is no length
