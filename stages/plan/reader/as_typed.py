@@ -53,6 +53,12 @@ def _one_of_them(found: re.Match[str]) -> str:
     return f"{_count(found['n']) - 1}{rooms}{found['rest']}, {study}"
 
 
+def _two_main_rooms(found: re.Match[str]) -> str:
+    """`Zimmer 1: 15 m², Zimmer 2: 12 m²` of a home of which no living room is named."""
+    named = re.search(r"\b(?:wohn|living|lounge|sitting)", found.string)
+    return found.group() if named else f"{found['begin']}living room{found['size']}bedroom"
+
+
 def _half(said: str) -> float:
     """`dos … y medio`."""
     return (1 if said in ("un", "una") else _count(said)) + 0.5
@@ -107,8 +113,8 @@ _SAID = rules((
     (r"\b(\d(?:\.\d+)? ?m(?:et(?:er|re)s?)?)[ -]wide (hall(?:way)?|corridor|passage)\b", r"\2 \1 wide"),
     (r"\b(toilet|wc|bath ?room) for (?:the |our )?(?:guests?|visitors?)\b", r"guest \1"),
     # "Zimmer 1: 15 m², Zimmer 2: 12 m²"
-    (r"\b(?:zimmer|room) 1\b(?=.*\b(?:zimmer|room) 2\b)(?!.*\b(?:wohn|living|lounge|sitting))", "living room"),
-    (r"(\bliving room\b[^.]*?)\b(?:zimmer|(?<!bed )(?<!bath )room) 2\b", r"\1bedroom"),
+    (r"(?P<begin>^|[,;:.] ?)(?:zimmer|room) 1(?P<size>:? ?{amount} ?(?:{unit}|qm)?,? ?)(?:zimmer|room) 2\b(?=:? ?\d)",
+     _two_main_rooms),
     # "man kommt nur durchs Wohnzimmer ins Schlafzimmer", "mit Tür zum Flur, ein Schlafzimmer"
     (r"\bman (?:kommt|gelangt) nur (?:durchs|durch das|durch die|durch den|uber das|uber die|uber den|uber) ([a-z]+) "
      r"(?:ins|in das|in die|in den|zum|zur) ([a-z]+)", r"the \2 is reached only through the \1"),
@@ -160,6 +166,8 @@ _SAID = rules((
      r"accessible from the \1 and the \2"),
     (r"\b(an? |one )?twin (bed ?room)\b(?! with [^.;,]*beds?)", r"\1\2 with two single beds"),
     (r"\btwin (?=bed ?room\b)", ""),
+    # "3 locked rooms off one hallway": the count is one of rooms
+    (r"\b({number}) (locked|unlocked|hidden|secret|abandoned|dark|haunted|empty) (?=rooms\b)", r"\2 \1 "),
     # "2 bedrooms left, 2 bedrooms right"
     (r"({room}s?) (left|right)(?= ?(?:[.,;]|$| and ))", r"\1 on the \2"),
     # "小两居", "其中一个在主卧"

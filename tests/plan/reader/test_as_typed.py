@@ -67,6 +67,8 @@ SEVERAL = [
     ("1 bedroom flat, bathroom accessible from both bedroom and hall", "B H K L W", "B1W1, H1W1"),
     ("small house 2 room 1 kitchen 1 toilet 1 hall", "B H K L W", ""),
     ("需要两个卫生间，其中一个在主卧", "B H K L W2", "B1W1"),
+    ("3er-WG mit großer Küche", "B3 H K L W2", ""),
+    ("game level: flat, 4 locked rooms off one hallway", "B3 H K L W2", "!unread 4"),
     ("小两居，60平米", "B2 H K L W", "all=60, !unread 居"),
 ]  # fmt: skip
 PEOPLE = [
