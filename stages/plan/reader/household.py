@@ -262,7 +262,7 @@ class Household:
 
     def _uncounted(self, phrase: RoomPhrase, known: list[Entity], mentioned: bool) -> list[Entity]:
         if phrase.plural or phrase.quantifier == Det.SEVERAL:
-            few = 3 if phrase.quantifier == Det.SEVERAL else 2
+            few = 3 if phrase.quantifier == Det.SEVERAL else 1 if phrase.type == "hallway" else 2
             return known if len(known) > 1 else self.ensure(phrase.type, few)
         single = phrase.type in ("living_room", "kitchen", "dining_room", "hallway")
         refers = phrase.quantifier == Det.THE or (

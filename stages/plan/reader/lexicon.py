@@ -48,6 +48,10 @@ class Entry:
     plural: bool = False
 
 
+PLURALS = ("n", "e", "es", "er", "ern")
+"""Endings of plurals that are none in English: such words stand in the lists beside their singular."""
+
+
 class Entries:
     """Readings by phrase; patterns are expanded when a phrase with their first word is asked for."""
 
@@ -223,6 +227,9 @@ def _add_group(found: Entries, kind: str, group: dict[str, list[str]], longest: 
     """Add the phrases of a kind; returns the most words that one of these or of those before may have."""
     for value, patterns in group.items():
         for pattern in patterns:
+            stems = [pattern.removesuffix(end) for end in PLURALS if kind == "room" and pattern.endswith(end)]
+            if any(stem in patterns for stem in stems):
+                found.add((pattern,), Entry(kind, value, plural=True))  # "habitaciones", "Schlafzimmern"
             found.wait(kind, value, pattern)
             if pattern.count(" ") + pattern.count("-") >= longest:  # else it cannot have more words
                 longest = max(longest, most_words(pattern))

@@ -70,7 +70,8 @@ def add_missing_rooms(said: Said, home: Household, doors: Doors) -> None:
         banned.add("bedroom")
     if said.main_rooms and not home.totals.get("bedroom") and all(_of_many(e) for e in home.of("bedroom")):
         others = len(home.of("dining_room")) + len(home.of("study")) + len(home.of("bedroom"))
-        home.add("bedroom", max(said.main_rooms - 1 - others, 0))
+        least = int(said.main_rooms > 1 and not home.of("bedroom"))  # "2-Zimmer-Wohnung mit Arbeitszimmer"
+        home.add("bedroom", max(said.main_rooms - 1 - others, least))
         if said.main_rooms == 1:
             said.dwelling = "studio"
             banned.add("bedroom")

@@ -55,7 +55,8 @@ _TIMES = re.compile(
 _THINGS = re.compile(
     r"(^|[-;,.:(\n]\s*|\b(?:and|with|plus|has|have) )"
     r"(?!(?:bedroom|bathroom|bed|bath|br|ba|wc|balcony|closet|storage|study)s? ?x)"
-    r"(?:an? |the )?([a-z]+(?:[ -][a-z]+){0,2}) ?x ?(\d)\b(?! ?[xm.]\d| ?(?:x|m|m2|cm|sqm|by|ft)\b)"
+    r"(?:an? |the )?([a-z]+(?:[ -][a-z]+){0,2}(?: (?=x)|(?=x\d)))x ?(\d)\b"
+    r"(?!,\d)(?! ?[xm.]\d| ?(?:x|m|m2|cm|sqm|by|ft)\b)"
 )
 """`desk x2`: how many of a thing there are, 0 for none."""
 _NONE = re.compile(r"\bno\s*:")

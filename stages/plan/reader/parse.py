@@ -8,6 +8,7 @@ from apartgen.stages.plan.reader.again import once_more
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.articles import definite
+from apartgen.stages.plan.reader.as_typed import as_typed
 from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.attachments import attach_owned
 from apartgen.stages.plan.reader.bedded import bedded
@@ -71,7 +72,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = unparted(named_again(told_apart(instead_of(beside_entrance(in_characters(fold(prompt)))))))
+    told = unparted(named_again(told_apart(instead_of(beside_entrance(in_characters(as_typed(fold(prompt))))))))
     told = inverted(advertised(itemized(only_ways(meant_of(told)))))
     folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
@@ -202,13 +203,8 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
     doors = relations(items, before, trail, said.graph, said.statements)
     _two_halls(doors)
     said.statements += doors
-    return (
-        doors[-1].left
-        if doors and not before
-        else doors[0].left
-        if doors
-        else [r for r in rooms_of(items) if not r.negated][-1:]
-    ) or before
+    last = doors[0 if before else -1].left if doors else [r for r in rooms_of(items) if not r.negated][-1:]
+    return last or before
 
 
 def _two_halls(doors: list[Statement]) -> None:

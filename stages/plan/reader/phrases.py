@@ -26,8 +26,8 @@ from apartgen.stages.plan.reader.particles import (
 from apartgen.stages.plan.reader.pending import Pending, area_item, trailing_number
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
-HALLS = ("hallway", "corridor", "hall", "passage")
-"""Last words of styles that are said of one hallway: `long corridor`, `short hallway`."""
+HALLS = ("hallway", "corridor", "hall", "passage", "hallways", "corridors", "passages")
+"""Last words of styles that are said of one hallway: `long corridor`, `short hallway`, `long corridors`."""
 SLEEPERS = {Trait.KIDS, Trait.GUEST, Trait.RELATIVE, Trait.MASTER}
 """Labels of whose rooms are bedrooms."""
 ADVERBIAL = ("ly", "ed", "ing", "s", "erweise")

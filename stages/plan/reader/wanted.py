@@ -36,9 +36,9 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     known = home.of("bedroom")
     named = [e for e in known if not e.vague]  # "the grandmother's room" is one of theirs
     named = named or (known if {Trait.MASTER, Trait.KIDS} <= {label for e in known for label in e.labels} else [])
-    nursery = len(known) == 1 and Trait.KIDS in known[0].labels and not (home.totals or said.main_rooms)
-    if nursery and not known[0].counted:
-        home.add("bedroom")  # of those whose child it is
+    others = len(known) == 1 and bool({Trait.KIDS, Trait.GUEST} & known[0].labels)
+    if others and not (home.totals or said.main_rooms or known[0].counted):
+        home.add("bedroom")  # of those whose child or guest sleeps there
     unsaid = not (named or home.totals or said.main_rooms or said.dwelling == "studio")
     if not unsaid or any(kind == "bedroom" for kind, _ in home.banned):
         return
