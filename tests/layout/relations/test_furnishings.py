@@ -72,7 +72,9 @@ def test_who_eats_has_a_chair_at_the_table(names: list[str], diners: int, chairs
     (["double_bed", "clothes_rail", "ceiling_lamp"], "bedroom", 1, 0), (["sofa"], "living_room", 1, 0),
     (["toilet"], "bathroom", 1, 0), (["balcony_chair"], "balcony", 0, 0),
 ])
-def test_every_room_has_light_and_who_sleeps_a_wardrobe(names: list[str], room: str, lamps: int, wardrobes: int) -> None:
+def test_every_room_has_light_and_who_sleeps_a_wardrobe(
+    names: list[str], room: str, lamps: int, wardrobes: int,
+) -> None:
     found = completed(names, {}, room, 20.0)
     assert (found.count("ceiling_lamp"), found.count("wardrobe")) == (lamps, wardrobes)
     asked = completed(names, {"ceiling_lamp": 0, "sliding_wardrobe": 0}, room, 20.0)
