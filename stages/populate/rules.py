@@ -52,10 +52,10 @@ def table() -> dict[str, tuple[Rule, ...]]:
 
 @cache
 def spots(at: str) -> Spot:
-    """What "kitchen_base inside" means; a name may be that of a group of the table."""
+    """What "kitchen_base inside" means; a name may be that of a group of the table, and means what is like it, too."""
     name, kind = at.split()
-    names = _rows()["groups"].get(name, [name])
-    return Spot(frozenset(names), kind)
+    names = set(_rows()["groups"].get(name, [name]))
+    return Spot(frozenset(names | {c for c, row in categories.TABLE.items() if names.intersection(row.lineage)}), kind)
 
 
 @cache

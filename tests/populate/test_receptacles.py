@@ -1,5 +1,7 @@
 """Where things can be put: hand-made furniture with known places, then all furniture that things are put on."""
 
+from dataclasses import replace
+
 import handmade
 import numpy as np
 import pytest
@@ -8,6 +10,7 @@ from shapely import Polygon, affinity, box
 from apartgen.schemas.retrieve import Joint
 from apartgen.stages.populate import boards, rules
 from apartgen.stages.retrieve import furniture
+from apartgen.stages.things import categories
 from apartgen.stages.things.asset import Asset, Link, Material, Mesh
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.receptacles import EDGE, OPEN, SEAM, receptacles
@@ -157,3 +160,12 @@ def test_floor_beside_furniture_lies_at_its_sides_along_its_back(yaw: float) -> 
         assert boards._beside(0, side, turned.buffer(0.01), Polygon(), here) is not None, "inside its room"
         assert boards._beside(0, side, turned.buffer(-0.01), Polygon(), here) is None, "outside"
         assert boards._beside(0, side, box(0, 0, 6, 4), turned.centroid.buffer(0.05), here) is None, "where one passes"
+
+
+def test_what_is_like_a_piece_of_furniture_is_one_that_things_are_put_in(monkeypatch: pytest.MonkeyPatch) -> None:
+    board = categories.TABLE["sideboard"]
+    bar = replace(board, name="home_bar", like="sideboard", lineage=("home_bar", "sideboard"))
+    monkeypatch.setattr(categories, "TABLE", {**categories.TABLE, "home_bar": bar})
+    for at in ("sideboard top", "case inside"):
+        assert rules.spots.__wrapped__(at).categories >= {"home_bar", "sideboard"}
+    assert "home_bar" not in rules.spots.__wrapped__("nightstand top").categories
