@@ -26,3 +26,10 @@ def test_long_rows_of_numbers_stay_together_and_all_else_is_divided() -> None:
     assert rows["short"].strip() == '"short": [1, [2, {"a": 3}]],' and rows["é"].strip() == '"é": "ü"'
     assert rows["mixed"].strip() == '"mixed": [' and rows["nested"].strip() == '"nested": ['
     assert all(len(line) <= 140 for line in text.splitlines() if '"numbers"' not in line)
+
+
+def test_what_has_112_columns_with_its_indent_is_not_divided() -> None:
+    """Two columns of indent and `{"at": [[], "…"]}`, 16 without the text; names before it are not counted."""
+    for long, whole in ((94, True), (95, False)):
+        made = artifact.Made(by="test", seed=1, config={"at": [[], "x" * long]})
+        assert ('"config": {"at": [[], "xxx' in artifact.finish(h.plan(), made)[0]) == whole, long

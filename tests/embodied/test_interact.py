@@ -160,6 +160,18 @@ def test_plans_keep_clear_of_what_is_fused_too(flat, apart, met):
     assert (probe.name(hit) == "sofa") if met else (hit < 0)
 
 
+def test_what_is_held_looks_for_no_contact_with_the_robot(flat):
+    """The robot looks for it, so that fingers may leave off doing so."""
+    apartment = flat(drawer(), chest(0.3, 2.0))
+    body = next(body for body in apartment.bodies.values() if body.category == "chest")
+    probe = Probe(interact.equipped(apartment, body.id, []))
+    part = parts.part(probe.world, body, body.links[1])
+    probe.reset(part.body)
+    own, model = probe.part(part) & probe.solid, probe.model
+    assert own.any() and model.geom_contype[own].all() and not model.geom_contype[probe.solid & ~own].any()
+    assert not (model.geom_contype[own][:, None] & model.geom_conaffinity[probe.robot]).any()
+
+
 def test_behind_a_blocked_door_nothing_is_reached(flat):
     wall = [h.thing("bookshelf", 3.75, 1.5, np.pi, size=SIZE, bottom=0.0, id="a"),
             h.thing("bookshelf", 3.75, 0.7, np.pi, size=SIZE, bottom=0.0, id="b"),

@@ -150,3 +150,9 @@ def test_only_what_succeeds_is_kept(driven):
     failed = outcome.model_copy(update={"success": False})
     kept = _demonstrations._succeeded(apartment, [failed, outcome])
     assert [(one.task, one.id) for one in kept] == [("go to the bookshelf in the hallway", outcome.id)]
+
+
+def test_figures_of_numbers_by_hand():
+    found = lerobot._stats({"action": np.array([[1, 8], [2, 4], [6, 0]])})["action"]
+    assert (found["min"], found["max"], found["mean"], found["count"]) == ([1, 0], [6, 8], [3, 4], [3])
+    assert found["std"] == pytest.approx(np.sqrt([14 / 3, 32 / 3])) and found["q50"] == [2, 4]

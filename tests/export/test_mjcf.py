@@ -2,6 +2,7 @@
 
 import re
 
+import handmade
 import mujoco
 import numpy as np
 import pytest
@@ -10,6 +11,9 @@ from export import physics, sample
 from apartgen.stages import export
 from apartgen.stages.export import mjcf
 from apartgen.stages.scene.scene import Scene
+from apartgen.stages.things import solids
+from apartgen.stages.things.asset import Asset, Link
+from apartgen.stages.things.materials import PALETTE
 
 
 @pytest.fixture(scope="module")
@@ -138,3 +142,16 @@ def test_reading_back_leaves_nothing_in_memory_and_the_readers_settings_as_they_
     mjcf.read_back([exported("mjcf") / "mjcf" / "apartment.xml"])
     assert mujoco.mj_getCacheSize(kept) == 0
     assert mujoco.mj_getCacheCapacity(kept) == capacity
+
+
+def test_only_what_is_as_smooth_as_a_mirror_throws_back_the_room(tmp_path):
+    looks = ("mirror", "chrome", "glass", "oak")
+    bars = [((-0.2, 0.2 * k, -0.2), (0.2, 0.2 * k + 0.1, 0.2)) for k in range(len(looks))]
+    shown = [solids.box(*bar, PALETTE[name]) for bar, name in zip(bars, looks)]
+    rack = Asset("test", "rack", "shelving", "plain", (0.4, 0.7, 0.4),
+                 [Link("base", shown, [solids.slab(*bar) for bar in bars], 5.0)])
+    home = handmade.home(handmade.thing("shelving", 2, 1, size=rack.size))
+    mjcf.write(Scene(home, lambda library, id: rack), tmp_path)
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "mjcf" / "apartment.xml"))
+    told = {model.material(k).name: float(model.mat_reflectance[k]) for k in range(model.nmat)}
+    assert set(looks) <= set(told) and {name for name, back in told.items() if back > 0} == {"mirror"}, told

@@ -141,6 +141,7 @@ def test_a_balcony_has_a_parapet_and_no_ceiling():
     assert "ceiling_living_room_1" not in made
     walls = made["walls"].links[0].colliders
     assert not _wall_depth(walls, 2.6, -0.03, 2.0) and _wall_depth(walls, -0.03, 2.0, 1.0)
+    assert not _wall_depth(walls, -0.03, 2.0, 1.2), "the parapet ends at 1.1 m"
     assert not _wall_depth(walls, -0.15, 2.0, 1.0), "a railing is no wall"
     assert _wall_depth(walls, 7.0, -0.15, 2.4) and _wall_depth(walls, 5.25, 2.0, 2.0)
 

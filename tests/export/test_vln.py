@@ -220,3 +220,12 @@ def test_a_home_without_furniture_is_refused_by_name(home, tmp_path):
     with pytest.raises(BadInput, match="format vln: .*furnished"):
         export.run(home, ["vln"], tmp_path / "scene", sample.load)
     assert not (tmp_path / "scene").exists()
+
+
+def test_no_way_is_asked_for_that_is_short_or_ends_where_one_does_not_see_its_goal(home, monkeypatch):
+    monkeypatch.setattr(vln, "_shows", lambda *_: False)
+    assert not list(vln._ways(home, None))
+    monkeypatch.setattr(vln, "_shows", lambda *_: True)
+    ways = [vln.length(way) for way, _, _ in vln._ways(home, None)]
+    monkeypatch.setattr(vln, "SHORTEST", sorted(ways)[1])
+    assert len(list(vln._ways(home, None))) == len(ways) - 1 > 3

@@ -4,15 +4,15 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from rooms_for_tests import some_rooms
+from rooms_for_tests import one_room, some_rooms
 
-from apartgen.stages.layout.projection import comfort
+from apartgen.stages.layout.projection import comfort, runs
 from apartgen.stages.layout.projection.costs import BROKEN
 from apartgen.stages.layout.projection.habits import habits
-from apartgen.stages.layout.projection.partners import LOW_RUN, around, long_enough
+from apartgen.stages.layout.projection.partners import LOW_RUN, around, in_run, long_enough
 from apartgen.stages.layout.projection.project import _rank, project
 from apartgen.stages.layout.projection.space import Space, space_of
-from apartgen.stages.layout.projection.standing import Item
+from apartgen.stages.layout.projection.standing import Item, Standing
 from apartgen.stages.layout.sense import essentials
 from apartgen.stages.space import boxes
 from apartgen.stages.space.boxes import Boxes
@@ -194,3 +194,32 @@ def test_two_people_sit_across_the_table() -> None:
         one, two = project([table, *chairs], space)[1:]
         across += bool(np.linalg.norm((one.center - two.center)[:2]) > 0.9)
     assert across >= 6
+
+
+@pytest.mark.parametrize(("x", "y", "yaw", "depth", "flush"), [
+    (0.0, 0.6, 0.0, 0.6, True), (0.02, 0.61, 0.0, 0.6, True), (0.045, 0.6, 0.0, 0.6, False),
+    (0.0, 0.63, 0.0, 0.6, False), (0.0, 0.6, np.pi, 0.6, False), (-0.05, 0.6, 0.0, 0.5, True),
+    (0.05, 0.6, 0.0, 0.5, False),
+])
+def test_units_of_a_run_are_flush_and_have_their_backs_in_line(
+    x: float, y: float, yaw: float, depth: float, flush: bool
+) -> None:
+    sink = Boxes(np.array([[0.0, 0.0, 0.45]]), np.array([[0.6, 0.6, 0.9]]), np.zeros(1))
+    here = Boxes(np.array([[x, y, 0.45]]), np.array([[depth, 0.6, 0.9]]), np.array([yaw]))
+    assert in_run("kitchen_base", here, sink, ["kitchen_sink"]).tolist() == [flush]
+
+
+def test_runs_begin_at_the_same_places_of_a_room_that_is_turned() -> None:
+    """Beside a door and a fridge, from corners; the walls' frame turns with the room."""
+    found = []
+    for by in (0.0, 0.5):
+        turn = np.array([[np.cos(by), -np.sin(by)], [np.sin(by), np.cos(by)]])
+        rooms = one_room()
+        rooms.polygon[0] = rooms.polygon[0] @ turn.T
+        for ends in (slice(0, 2), slice(2, 4)):
+            rooms.openings[0, :, ends] = rooms.openings[0, :, ends] @ turn.T
+        fridge = Item("fridge", np.array([*turn @ [-1.66, 0.3], 0.9]), np.array([0.65, 0.6, 1.8]), by)
+        standing = Standing([fridge])
+        standing.put(0, fridge)
+        found.append(np.stack(runs._starts(space_of(rooms, 0), standing), -1))
+    assert len(found[0]) > 8 and found[1] == pytest.approx(found[0], abs=1e-5)

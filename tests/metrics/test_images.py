@@ -138,6 +138,8 @@ def test_sets_are_compared_at_equal_numbers_with_the_real_halves():
 def test_too_few_scenes_say_nothing():
     found = fid.compare(homes(0, 3), homes(1, 30), mean_colour())
     assert all(v.value is None and v.low is None and v.n == 3 for v in found if v.of == "bedroom")
+    found = fid.compare(homes(0, 4), homes(1, 30), mean_colour())
+    assert all(v.value is not None and v.n == 4 for v in found if v.of == "bedroom")
 
 
 def test_a_comparison_names_its_network(monkeypatch):

@@ -8,7 +8,7 @@ from apartgen.stages.plan import PlanConfig, kernel
 from apartgen.stages.plan.blocks import given
 from apartgen.stages.plan.outline import draw
 from apartgen.stages.plan.problem import WHIM, Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
-from apartgen.stages.plan.slicing import ASPECT, CONCISE, LACKING, NEAR, PATH, WIDE, Floats, Problem, Tree
+from apartgen.stages.plan.slicing import ASPECT, CONCISE, LACKING, NEAR, PATH, PRIVACY, WIDE, Floats, Problem, Tree
 from apartgen.stages.plan.starts import known, start
 from apartgen.stages.plan.study import archetypes
 from apartgen.stages.plan.terms import BLIND
@@ -102,6 +102,12 @@ def test_each_pair_stands_once() -> None:
         near = _drawn(name, 0)[0].near
         assert len({frozenset(pair) for pair in near[:, :2].tolist()}) == len(near)
         assert near[:, 2].max() >= (24 if any(room.type == "dining_room" for room in program.rooms) else WHIM)
+
+
+def test_a_bedroom_behind_the_living_room_is_private() -> None:
+    p, tree = row_of_three()
+    terms = energy(p, tree)[1]
+    assert terms[PRIVACY] == 0
 
 
 def test_without_a_common_wall_the_way_leads_between_the_rooms() -> None:

@@ -131,3 +131,14 @@ def test_nothing_hangs_in_bathrooms_that_steam_would_spoil():
 def test_a_frame_is_seen_on_a_white_wall():
     brightest = max(max(PALETTE[name].color[:3]) for name in small.TABLE["picture"].looks["frame"])
     assert brightest < 0.9 < min(PALETTE["white"].color[:3])
+
+
+@pytest.mark.parametrize("base, counts", [
+    ("bedroom", {1, 2, 3}), ("hallway", {1, 2}), ("study", {1, 2}), ("dining_room", {1, 2}), ("kitchen", {0, 1})])
+def test_so_many_pictures_hang_where_walls_have_room(base, counts):
+    room, every = SimpleNamespace(id=f"{base}_1", base=base), models(0)
+    found = set()
+    for seed in range(12):
+        walls = [faces.Face(np.zeros(2), np.array([1.0, 0.0]), np.array([0.0, 1.0]), 4.0, []) for _ in range(4)]
+        found.add(len(pictures.hung(room, walls, [], every, 1.0, np.random.default_rng(seed))))
+    assert found == counts

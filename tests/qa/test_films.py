@@ -222,3 +222,10 @@ def test_the_card_counts_what_the_files_hold(asked):
         mine = [row for row in rows if row["kind"] == kind]
         assert int(cells[2]) == len(mine) == sum(int(n) for n in cells[4].rstrip(" |").split(", "))
         assert float(cells[3]) == pytest.approx(np.mean([1 / len(row["options"]) for row in mine]), abs=0.005)
+
+
+@pytest.mark.parametrize("many, size", [(999, "n<1K"), (1000, "1K<n<10K"), (10_000, "10K<n<100K")])
+def test_the_card_tells_hubs_how_many_questions_there_are(many, size):
+    row = {"images": [], "videos": [], "kind": KINDS[0], "answer": "A", "options": ["1"], "evidence": {},
+           "difficulty": "easy"}
+    assert f"size_categories:\n- {size}\n" in card.text({"0.jsonl": [row] * many}, "apartgen")

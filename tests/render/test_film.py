@@ -1,6 +1,7 @@
 """The film of the robot's way: doors open before it comes, the camera turns slowly, frames are what is written."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -81,3 +82,9 @@ def test_without_an_encoder_it_is_said_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "av", None)
     with pytest.raises(BadInput, match=r"apartgen\[video\]"):
         film.encoder()
+
+
+def test_a_straight_way_of_two_points_is_gone_along_too(monkeypatch):
+    monkeypatch.setattr(route, "_through", lambda world: np.array([[0.0, 1.0], [2.0, 1.0]]))
+    found = route.along(SimpleNamespace(room_at=lambda place: np.zeros(len(place))), 3, 1.2)
+    assert [(*stand.place, stand.yaw) for stand in found] == [(0, 1, 1.2, 0), (1, 1, 1.2, 0), (2, 1, 1.2, 0)]

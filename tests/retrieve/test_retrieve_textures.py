@@ -15,8 +15,9 @@ from apartgen.schemas.retrieve import Retrieve
 from apartgen.stages.retrieve import build, folder, simobjects
 from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
 from apartgen.stages.retrieve.matching.textures import FOLDER
-from apartgen.stages.retrieve.reading import obj
+from apartgen.stages.retrieve.reading import obj, pieces
 from apartgen.stages.retrieve.reading.images import encoded, linear
+from apartgen.stages.retrieve.reading.limits import Broken
 
 RED, GREEN, BLUE, WHITE = (200, 30, 30), (30, 160, 40), (40, 60, 190), (250, 250, 250)
 FACES = [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4],
@@ -308,3 +309,15 @@ def test_what_mujoco_calls_rough_goes_before_what_it_calls_shiny(tmp_path, said,
         '<geom type="box" size=".1 .1 .1" material="w"/></body></worldbody></mujoco>')
     (source,) = simobjects.assets(tmp_path)
     assert source.load().links[0].visuals[0].material.roughness == pytest.approx(rough)
+
+
+def test_vertices_and_faces_have_limits_of_their_own(monkeypatch):
+    """Five vertices and two faces, where five and two are accepted."""
+    monkeypatch.setattr(pieces, "VERTICES", 5)
+    monkeypatch.setattr(pieces, "FACES", 2)
+    data = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\n"
+    (piece,) = obj.parse(data, "x.obj", lambda _: None)
+    assert len(piece.faces) == 2
+    for more in (b"v 0 0 2\n", b"f 1 2 5\n"):
+        with pytest.raises(Broken, match="more than the 2 and 5 accepted"):
+            obj.parse(data + more, "x.obj", lambda _: None)

@@ -66,3 +66,8 @@ def test_a_material_is_one_that_viewers_take(name: str) -> None:
     one = PALETTE[name]
     assert all(0 <= part <= 1 for part in (*one.color, one.roughness, one.metalness))
     assert 20 <= materials.density(name) <= 9000
+
+
+def test_only_metals_and_mirrors_are_metal() -> None:
+    metals = {"steel", "chrome", "aluminium", "brass", "copper", "black_metal", "white_metal", "mirror"}
+    assert {name for name, material in PALETTE.items() if material.metalness > 0} == metals

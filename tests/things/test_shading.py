@@ -7,7 +7,7 @@ from hypothesis.extra.numpy import arrays
 
 from apartgen.stages.scene.pieces import shaded
 from apartgen.stages.things.asset import Material, Mesh
-from apartgen.stages.things.shading import distinct
+from apartgen.stages.things.shading import corner_normals, distinct
 
 
 @given(st.tuples(st.integers(1, 40), st.integers(1, 4)).flatmap(
@@ -29,3 +29,10 @@ def test_a_mesh_is_shaded_by_its_own_bytes():
     assert sorted(moved[3].ravel().tolist()) == [0, 0, 1, 2, 3, 3], "the diagonal has both ends twice"
     turned = shaded(Mesh(square, faces[:, ::-1].copy(), Material("oak")))
     assert np.array_equal(turned[1], [[0, 0, -1]] * 4), "other faces are another mesh"
+
+
+def test_corners_of_faces_without_an_area_have_normals_too():
+    """Two faces of the floor, and one whose corners lie on a line: of it there is no normal, but a number."""
+    vertices = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [3, 0, 0], [4, 0, 0], [5, 0, 0]], float)
+    found = corner_normals(Mesh(vertices, np.array([[0, 1, 2], [0, 2, 3], [4, 5, 6]]), Material("plain")))
+    assert np.isfinite(found).all() and (found[:6] == [0, 0, 1]).all()

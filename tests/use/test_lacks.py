@@ -10,6 +10,7 @@ from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.plan import Plan
 from apartgen.stages import use
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use import habits
 from apartgen.stages.use.wants import HOOKS, _table
 
 
@@ -199,3 +200,9 @@ def test_coats_of_many_want_a_cupboard(people: int | None, deep: float, things: 
     """In halls of 8 m², not of 6 m²."""
     site = replace(room("hallway", 2.0, deep).site, sleepers=people)
     assert ("no cupboard for the coats of many" in {lack.name for lack in use.lacks_of(site, things)}) == lacks
+
+
+@pytest.mark.parametrize("many", [2, 3])
+def test_of_a_hallway_it_is_counted_whether_it_has_two_cabinets_at_most(many: int) -> None:
+    cabinets = [thing("shoe_cabinet", 1.0 + 1.5 * k, 0.2, NORTH) for k in range(many)]
+    assert habits.cases(room("hallway", 6.0, 2.0, *cabinets))["two cabinets at most"] == [many == 2]

@@ -14,7 +14,7 @@ from apartgen.stages.walkable import WalkableConfig, importance
 from apartgen.stages.walkable.blocking import blockers, view
 from apartgen.stages.walkable.kept import Kept
 from apartgen.stages.walkable.optimize import area_ratio
-from apartgen.stages.walkable.site import survey, swapped
+from apartgen.stages.walkable.site import _meets_nothing, survey, swapped
 from apartgen.stages.walkable.ways import after, ways
 
 
@@ -68,3 +68,11 @@ def test_a_library_gives_the_same_asset_again():
 
 def test_nothing_meets_no_solid():
     assert not convex.meet(convex.of([]), convex.of([]), 0.001)
+
+
+@pytest.mark.parametrize("into, fits", [(0.002, True), (0.006, False)])
+def test_a_change_may_make_less_contact_than_half_of_what_is_collision(into, fits):
+    """Collision is more than 1 cm; two shelves of 0.4 m, 5 cm apart, of which one is moved."""
+    one, other = (h.thing("bookshelf", x, 1.5, size=(0.4, 1.0, 2.0), id=id) for x, id in ((1.0, "a"), (1.45, "b")))
+    moved = other.model_copy(update={"center": (1.4 - into, *other.center[1:])})
+    assert _meets_nothing([one, other], [one, moved], {"b"}) == fits

@@ -1,4 +1,4 @@
-"""Distances that the furnisher goes by, in cases by hand."""
+"""Distances that the furnisher goes by, what it counts as missed, and outlines, in cases by hand."""
 
 from types import SimpleNamespace
 from typing import Any
@@ -6,7 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from apartgen.stages.layout.datasets._furnish import anchors, kernels
+from apartgen.stages.layout.datasets import _frames, furnisher, single_rooms
+from apartgen.stages.layout.datasets._furnish import anchors, dressing, kernels
+from apartgen.stages.layout.datasets._furnish.space import Space
 
 
 def test_the_nearest_window_and_the_nearest_door_count() -> None:
@@ -23,3 +25,17 @@ def test_points_beyond_the_walls_are_told_from_those_within() -> None:
     grid = np.array([[[1.0, 3.0], [1.9, 1.9]], [[3.0, 3.0], [-1.0, 1.0]]])
     found = kernels.walls_away(grid, start)
     assert found[0] == pytest.approx([1.0, np.hypot(0.1, 0.1)]) and (found[1] < 0).all()
+
+
+def test_the_first_thing_of_a_room_that_hangs_is_not_missed() -> None:
+    plan = single_rooms.draw(np.random.default_rng(1), "hallway")
+    space = Space(furnisher.shape_of(plan, plan.rooms[0]), np.random.default_rng(2))
+    assert space.wish("mirror", 1.0, lambda: dressing.on_wall(space, "mirror"))
+    assert space.placed.name == ["mirror"] and space.missed == 0
+
+
+@pytest.mark.parametrize("size", [0.5, 5.0])
+def test_outlines_however_small_turn_counter_clockwise(size: float) -> None:
+    ring = [(0.0, 0.0), (size, 0.0), (size, size), (0.0, size)]
+    assert _frames.counter_clockwise(ring) == _frames.counter_clockwise([*ring, ring[0]]) == ring
+    assert _frames.counter_clockwise(ring[::-1]) == ring

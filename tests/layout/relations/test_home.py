@@ -1,5 +1,6 @@
 """Homes by the shipped weights: the same alone and in batches, rooms redone, newcomers placed."""
 
+from dataclasses import replace
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -19,6 +20,7 @@ from apartgen.stages.layout.relations import weights
 from apartgen.stages.plan import build
 from apartgen.stages.plan.config import PlanConfig
 from apartgen.stages.plan.study import archetypes
+from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
 ONE = LayoutConfig(model="relations", candidates=2, threads=1)
@@ -270,3 +272,9 @@ def test_no_machine_comes_where_none_is_wanted() -> None:
 def test_where_there_is_floor_for_it_one_washes(kind: str, area: float, needed: bool) -> None:
     room = Room(id="a", type=kind, polygon=[(0, 0), (area / 2, 0), (area / 2, 2), (0, 2)])
     assert (frozenset({"shower", "bath"}) in relations_home._least(room, area)) == needed
+
+
+def test_what_another_package_says_is_like_a_sofa_looks_like_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    settee = replace(TABLE["sofa"], name="settee", like="sofa", lineage=("settee", "sofa"))
+    monkeypatch.setitem(TABLE, "settee", settee)
+    assert relations_home._latent("settee", 1) == relations_home._latent("sofa", 1) != []

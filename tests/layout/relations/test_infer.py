@@ -276,3 +276,12 @@ def test_threads_change_nothing_and_nobody_needs_torch() -> None:
                            env=os.environ | dict.fromkeys(names, threads)) for threads in ("1", "2")]
     assert all(one.returncode == 0 for one in made), made[0].stderr + made[1].stderr
     assert made[0].stdout == made[1].stdout and "Box(" in made[0].stdout
+
+
+def test_a_head_that_is_not_told_what_is_met_takes_it_that_nothing_is() -> None:
+    head, shape = oracle().places.get_submodule("along"), weights.load()[0].places.shape
+    state, keys = torch.linspace(-1, 1, shape.width)[None], torch.linspace(-1, 1, 2 * shape.key).view(1, 2, shape.key)
+    at = torch.arange(2 * head.ways).view(1, 2, head.ways)
+    nothing = torch.zeros(1, len(head.bins.bias), clear.MEETS)
+    for told, wanted in zip(head(state, keys, at), head(state, keys, at, nothing)):
+        assert torch.equal(told, wanted)

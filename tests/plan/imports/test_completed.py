@@ -10,14 +10,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from plan.imports import homes, writers
-from shapely.geometry import Polygon
+from shapely.geometry import Polygon, box
 
 from apartgen.schemas import consistency
 from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
 from apartgen.schemas.layout import Layout
 from apartgen.stages import check, registry
 from apartgen.stages.plan import PlanConfig, imports
-from apartgen.stages.plan.drawing import Drawing, Space, Thing, completed, furniture
+from apartgen.stages.plan.drawing import Drawing, Space, Thing, completed, floors, furniture
 from apartgen.stages.plan.imports import roomplan
 
 
@@ -254,3 +254,10 @@ def test_what_has_a_back_turns_it_to_the_wall_that_it_stands_at(
     size, yaw = furniture._faced(Thing("", (*at, 1.0), (0.6, 1.2, 2.0), wall + np.pi * turned), "wardrobe",
                                  Polygon([(0, 0), (5, 0), (5, 4), (0, 4)]))
     assert size == (0.6, 1.2) and np.cos(yaw - wall) == pytest.approx(1)
+
+
+@pytest.mark.parametrize("deep, kept", [(0.8, True), (0.5, False)])
+def test_a_room_of_less_than_six_tenths_of_a_square_metre_is_left_out_and_told_of(deep: float, kept: bool) -> None:
+    said: list[str] = []
+    floor = floors._clear(Space("closet", box(0, 0, 1, deep)), Polygon(), said)
+    assert (floor is not None) == kept and [entry.split(" at ")[0] for entry in said] == ["closet"] * (not kept)

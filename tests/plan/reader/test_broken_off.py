@@ -33,3 +33,8 @@ def test_pieces_that_say_none_of_a_room_first_are_read_or_refused(prompt: str) -
         assert isinstance(read(prompt), Program)
     except (BadInput, Unmet) as error:
         assert str(error)
+
+
+def test_rooms_that_are_next_to_nothing_are_not_next_to_each_other() -> None:
+    assert not read("Two bedrooms. The bedrooms should be next to").requirements
+    assert read("Two bedrooms. The bedrooms should be next to each other.").requirements

@@ -17,6 +17,11 @@ def test_a_living_room_beside_a_kitchen_has_a_way_of_its_own_where_nobody_says_o
     assert "H1L1" in facts(read("Two bedrooms. The kitchen connects to the living room and to the hallway."))
 
 
+def test_with_joins_rooms_in_the_next_clause_too() -> None:
+    found = read("Two bedrooms. The lounge connects with the hall, the kitchen with the lounge.")
+    assert {"H1L1", "K1L1"} <= facts(found) and "H1K1" not in facts(found)
+
+
 @pytest.mark.parametrize("joint", [", and", " and", ","])
 @pytest.mark.parametrize("first", ["the kitchen is smaller than the study", "the study is the largest room"])
 def test_a_comparison_ends_where_the_next_clause_has_a_verb(first: str, joint: str) -> None:

@@ -17,6 +17,8 @@ SENTENCES = [
     ("Just a bathroom with a shower and a washing machine.", "W", "W1 has 1 shower, W1 has 1 washing_machine"),
     ("Only a living room with a sofa and two armchairs, nothing else.", "L", "L1 has 1 sofa, L1 has 2 armchair"),
     ("only a bedroom and a bath", "B W", ""),
+    # "or" denies nothing by itself
+    ("A living room with a sofa and a tv or a bookcase.", "L", "L1 has 1 sofa, L1 has 1 tv"),
     ("Just a balcony would be nice. Two bedrooms.", "B2 H K L W Y", ""),
 ]  # fmt: skip
 

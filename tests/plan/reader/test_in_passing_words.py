@@ -10,6 +10,13 @@ ITEMS = [
     ("Exclude: study, balcony. Include: 2 bedrooms, 1 bathroom, utility room (adjacent to kitchen).", "B2 H K L U W",
      "adjacent U1 K1"),
 ]
+UNKNOWN = [
+    ("A flat with a big fluffy bathroom and one bedroom.", "B H K L W", "W1=6.5, unread fluffy, !unread big"),
+    ("Two zorbly bedrooms and a quirky study.", "B2 H K L S W", "unread zorbly, !unread two"),
+]  # fmt: skip
+
+test_what_stands_before_an_unknown_word_is_said_of_the_room = as_meant(UNKNOWN)
+
 OPEN_OFF = [
     ("No more than two rooms may open off the living room; two bedrooms, one bathroom.", "B2 H K L W",
      "at_most L1 doors 2"),

@@ -13,6 +13,8 @@ SENTENCES = [
     ("2 bedrooms, one kitchen together with the living room.", "B2 H K L W", "K1~L1"),
     ("Two bedrooms, the kitchen together with living room, one bathroom.", "B2 H K L W", "K1~L1"),
     ("A living room together with a kitchen and two bedrooms.", "B2 H K L W", "!K1~L1"),
+    # in its wall
+    ("Two bedrooms. The kitchen has an opening in the living room wall.", "B2 H K L W", "K1~L1"),
     # an adjective behind its verb
     ("The living room is 25 m², and the kitchen should be open to it. Two bedrooms.", "B2 H K L W", "K1~L1, L1=25"),
     ("The living room should take up a third of the area, and the kitchen should be open to it. One bedroom.",

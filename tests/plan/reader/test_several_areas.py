@@ -58,3 +58,8 @@ def test_an_area_of_several_is_shared(text: str, rooms: tuple[str, ...]) -> None
     found = areas(f"{FLAT} {text}")
     assert sum(found[r] for r in rooms) == pytest.approx(30.0, abs=0.05)
     assert found["bathroom_1"] == 5.0
+
+
+def test_an_area_behind_a_list_is_that_of_the_last_room() -> None:
+    found = areas("Two bedrooms. The living room, the kitchen, is 12 m².")
+    assert found["kitchen_1"] == 12.0 and found["living_room_1"] > 20

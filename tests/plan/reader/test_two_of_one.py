@@ -61,3 +61,9 @@ test_looks_on_a_side = as_meant(LOOKS_ON)
 test_on_the_side_of_the_entrance = as_meant(AT_THE_ENTRANCE)
 test_it_is_the_room_before = as_meant(IT)
 test_said_otherwise = as_meant(OTHERWISE)
+
+SHARED = [
+    ("Three bedrooms. The master has an ensuite, the other two share one.", "B3 H K L W2", "B1W1, H1W2, !B2B3"),
+]  # fmt: skip
+
+test_what_they_share_is_no_bedroom = as_meant(SHARED)
