@@ -49,6 +49,9 @@ class AskedRoom(Typed):
     id: str = Field(pattern=r"^[a-z][a-z_]*_[0-9]+$")
     area: Positive | None = None
     private_to: str | None = Field(None, description="an ensuite's or a walk-in closet's owner")
+    children: int | None = Field(
+        None, ge=1, le=6, description="so many children sleep in it, where that is known",
+        exclude_if=lambda known: known is None)
 
 
 class AskedObjects(Record):

@@ -9,6 +9,10 @@ from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan, Program
 from apartgen.stages.layout.config import N_MAX
 from apartgen.stages.things.categories import TABLE, by_word, unknown
+from apartgen.stages.use import kinds
+
+TWO_BEDS = 12.0
+"""Floor of a bedroom where two single beds stand rather than a bunk bed, m²."""
 
 
 def of_room(program: Program, room: str) -> Counter[str]:
@@ -18,6 +22,19 @@ def of_room(program: Program, room: str) -> Counter[str]:
         if asked.room == room:
             wished[asked.category] += asked.count
     return wished
+
+
+def of_children(program: Program, room: str, area: float) -> dict[str, int]:
+    """Beds of a room in which children are known to sleep, one for each: single ones where two fit beside one another
+    (`area`, m²), else bunk beds, of which there are none in the other bedrooms; nothing where a bed is asked for."""
+    known = {asked.id: asked.children for asked in program.rooms}
+    if not any(known.values()) or not kinds.BEDS.isdisjoint(of_room(program, room)):
+        return {}
+    many = known.get(room)
+    if not many:
+        return {"bunk_bed": 0}
+    bunks = many // 2 if area < TWO_BEDS or many > 2 else 0
+    return {name: 0 for name in kinds.BEDS} | {"bunk_bed": bunks, "single_bed": many - 2 * bunks}
 
 
 def check(plan: Plan) -> None:

@@ -17,13 +17,15 @@ behind which one cooks."""
 
 
 def sleepers(plan: Plan) -> int | None:
-    """Who sleeps in the home: two in a large bedroom, one in a small one; None for a room by itself."""
+    """Who sleeps in the home: two in a large bedroom, one in a small one, in children's rooms they; None for a room by
+    itself."""
     if len(plan.rooms) == 1 and plan.rooms[0].base != "living_room":
         return None
     beds = [room for room in plan.rooms if room.base == "bedroom"]
     if not beds:
         return None if len(plan.rooms) == 1 else 1 + (_area(_largest(plan)) >= STUDIO)
-    return sum(1 + (_area(room) >= DOUBLE) for room in beds)
+    known = {room.id: room.children for room in plan.program.rooms}
+    return sum(known.get(room.id) or 1 + (_area(room) >= DOUBLE) for room in beds)
 
 
 def eats_in(plan: Plan) -> str | None:

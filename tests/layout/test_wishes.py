@@ -45,6 +45,21 @@ def test_what_can_be_had_is_not_refused() -> None:
     assert wishes.of_room(asking([("desk", 2), ("desk", 1), ("rug", 0)]).program, h.BEDROOM) == {"desk": 3, "rug": 0}
 
 
+@pytest.mark.parametrize("many, area, beds", [
+    (1, 9.0, {"single_bed": 1}), (1, 20.0, {"single_bed": 1}), (2, 11.0, {"bunk_bed": 1}), (2, 12.5, {"single_bed": 2}),
+    (3, 14.0, {"bunk_bed": 1, "single_bed": 1}), (4, 16.0, {"bunk_bed": 2}),
+])
+def test_children_have_a_bed_each_and_grown_ups_no_bunk_bed(many: int, area: float, beds: dict[str, int]) -> None:
+    first = asking().program.rooms[0]
+    own = first.model_copy(update={"id": "bedroom_2", "type": "bedroom", "children": many})
+    program = asking().program.model_copy(update={"rooms": [*asking().program.rooms, own]})
+    found = wishes.of_children(program, "bedroom_2", area)
+    assert {name: n for name, n in found.items() if n} == beds and found["double_bed"] == 0
+    assert wishes.of_children(program, h.BEDROOM, area) == {"bunk_bed": 0}
+    assert wishes.of_children(asking([("double_bed", 1)]).program, h.BEDROOM, area) == {}
+    assert wishes.of_children(asking().program, h.BEDROOM, area) == {}
+
+
 def test_unmet_wishes_are_counted() -> None:
     program = asking([("desk", 2), ("rug", 0), ("chair", 1)], {h.BEDROOM: 4}).program
     things = [h.thing(name, 5, 1, room=h.BEDROOM) for name in ("desk", "rug", "chair", "chair")]

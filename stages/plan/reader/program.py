@@ -22,6 +22,7 @@ from apartgen.stages.plan.reader.languages import understood
 from apartgen.stages.plan.reader.links import complete_links, edge
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.missing import add_missing_rooms, full_graph
+from apartgen.stages.plan.reader.nurseries import children
 from apartgen.stages.plan.reader.parse import mentions, parse
 from apartgen.stages.plan.reader.requirements import requirements
 from apartgen.stages.plan.reader.shared_out import shared_out
@@ -157,10 +158,11 @@ def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Progr
     links = complete_links(rooms, links, banned, set(pairs(doors.near)), {ids[id(e)] for e in doors.only},
                            set(pairs(doors.passing)), {ids[id(e)] for e in doors.reached})  # fmt: skip
     areas = room_areas(said, home, rooms, links, ids)
+    sleep = children([e for e in ordered if e.type == "bedroom"], said.about.people, said.prompt)
     style = style_of(said)
     return Program(
         rooms=[
-            AskedRoom(id=r.id, type=e.type, area=areas[r.id], private_to=r.private_to)
+            AskedRoom(id=r.id, type=e.type, area=areas[r.id], private_to=r.private_to, children=sleep.get(id(e)))
             for e, r in zip(ordered, rooms, strict=True)
         ],
         links=links,
