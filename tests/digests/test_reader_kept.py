@@ -31,6 +31,7 @@ def read(text: str, seed: int) -> object:
 
 
 @pytest.mark.parametrize("language", ["en", "de", "fr", "es", "zh"])
+@pytest.mark.wide
 def test_clauses(language):
     kept.same("reader", f"clauses {language}", told(composed.clauses(language, 400 if language == "en" else 160)))
 

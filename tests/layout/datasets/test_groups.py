@@ -16,6 +16,8 @@ from apartgen.stages.layout.datasets._furnish.group import Group
 from apartgen.stages.layout.datasets._furnish.space import Space
 from apartgen.stages.things.categories import TABLE, reach
 
+pytestmark = pytest.mark.slow
+
 SEEDS = range(16)
 LOW_UNITS = {"kitchen_base", "kitchen_drawers", "dishwasher", "washing_machine"}
 UNITS = LOW_UNITS | {"kitchen_sink", "hob", "oven", "fridge"}
