@@ -69,7 +69,7 @@ class Household:
         for entity in self.rooms[before:]:
             bare, uncounted = phrase.quantifier == Det.BARE, phrase.count is None
             told = id(phrase) in self.asked or bool(phrase.areas and uncounted and not phrase.labels)
-            entity.name, entity.spoken = phrase.text, bare and told and not phrase.plural
+            entity.name, entity.spoken = phrase.text, bare and told and uncounted and not phrase.plural
             named = phrase.definite or (bare and (id(phrase) in self.mentions or phrase.plural))
             entity.vague = bool(phrase.ordinals) or (uncounted and named)
         lay(phrase, found)
