@@ -121,6 +121,10 @@ _SAID = rules((
      r"(?!(?:[a-z]+ )?(?:{room}s?|ones|rooms|zimmern?|chambres)\b)[a-z]+)", _one_has),
     (r"(?<=[:;,.] )(?:and )?in the other (two|three)(?: ones| rooms| bed ?rooms)?:? (?=(?:an?|one|two) [a-z])",
      r"the other \1 bedrooms have "),
+    # "no bath, only a shower", "just a shower, no bath": of a bathroom, what it has
+    (r"\b(?:no|without an?) bath(?:tub)?s?,? (?:but |and )?(?:only|just) (?:an? )?shower\b",
+     "a bathroom with a shower, no bathtub"),
+    (r"\b(?:only|just) (?:an? )?shower,? (?:and |but )?no bath(?:tub)?\b", "a bathroom with a shower, no bathtub"),
     # "a retired couple, both with their own bedroom", "near their room" of my parents
     (r"\b(couple|paar|pareja)\b([^.;]{0,20}?),? (?:who )?(?:each|both|each of whom|jeder|beide|cada uno)"
      r"(?: of them| of whom)? (?:with|has|have|having|wants?|needs?|gets?|mit|con) "

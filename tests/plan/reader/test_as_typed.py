@@ -104,6 +104,8 @@ SEATS = [
     ("appartement, une chambre, salle à manger pour 8", "B D H K L W", "D1 has 8 chair"),
     ("piso, un dormitorio, comedor para 8", "B D H K L W", "D1 has 8 chair"),
 ]  # fmt: skip
+SHOWERS = [(f"Flat with one bedroom, {said}.", "B H K L W", "W1 has 1 shower, W1 has 0 bath")
+           for said in ("no bath only shower", "no bathtub, just a shower", "only a shower, no bath")]
 EACH = [
     (f"{who}, {each}.", "B2 H K L W2", "B1W1, B2W2")
     for who, eachs in (
@@ -127,6 +129,8 @@ IN_ONE = [
 ]
 APART = [
     ("One bedroom in the west and one bedroom in the east.", "B2 H K L W", "position B1 west, position B2 east"),
+    ("One bedroom facing south, one bedroom facing north, and the living room between them.", "B2 H K L W",
+     "orientation B1 south, orientation B2 north"),
     ("Appartement avec une grande chambre à l'ouest, une petite chambre à l'est.", "B2 H K L W",
      "position B1 west, position B2 east"),
     ("Ein großes Schlafzimmer im Westen, ein kleines Schlafzimmer im Osten.", "B2 H K L W",
@@ -151,3 +155,4 @@ test_seats_of_dining_rooms = as_meant(SEATS)
 test_each_of_two_has_rooms = as_meant(EACH)
 test_what_is_in_one_is_not_in_the_other = as_meant(IN_ONE)
 test_rooms_at_two_sides_are_two = as_meant(APART)
+test_no_bath_but_a_shower_is_of_a_bathroom = as_meant(SHOWERS)
