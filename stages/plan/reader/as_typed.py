@@ -113,7 +113,7 @@ _SAID = rules((
      r"(?: (?:and|und|et|y) (?:para )?(?:me|i|myself|mich|moi|mi))?, (?=each|jeder?|chacune?|cada un[oa])",
      "for two flatmates, "),
     (r"\b(each (?:with|having|has|gets?|needs?|wants?) (?:an?|(?:their|his|her|our)(?: own)?) bed ?room and) "
-     r"(?:(?:an?|their|his|her|our) )?(?:(?:own|private|en[- ]?suite) )+bath ?room\b", r"\1 bathroom"),
+     r"(?:(?:an?|their|his|her|our) )?(?:(?:own|private|en[- ]?suite) )+bath ?room\b(?! of)", r"\1 bathroom"),
     # "in the main one a double bed, in the other two single beds", "en el principal …", "dans la grande …"
     (r"(?:(?<=[:;,.] )|(?<=\bflat )|(?<=\bhome )|(?<=rooms ))(?:and |und |et |y )?(?:in|en|dans) (?:the |el |la |l')"
      r"(?P<which>main|master|principale?|large|big|bigger|grande?|small|smaller|pequen[oa]|petite?|other|otr[oa]|autre)"
