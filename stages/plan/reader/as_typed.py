@@ -28,6 +28,14 @@ def _dorm(found: re.Match[str]) -> str:
     return f"a bedroom{beds}{found['rest'].rstrip(' .!')}. no other rooms."
 
 
+def _one_has(found: re.Match[str]) -> str:
+    """`in the other two single beds`: the other one has them."""
+    which = found["which"]
+    size = {"m": "main", "l": "large", "b": "large", "g": "large", "s": "small", "pe": "small", "pr": "main"}
+    name = "other" if which[0] in "oa" else size.get(which[0]) or size[which[:2]]
+    return f"the {name}{'' if name == 'other' else ' bedroom'} has "
+
+
 def _one_toilet_less(found: re.Match[str]) -> str:
     """`2 toilets` where no bathroom is named: one of them is in the bathroom."""
     others = _count(found["n"]) - 1
@@ -69,6 +77,8 @@ def _count(said: str) -> int:
 
 
 _SAID = rules((
+    (r"\b(each (?:with|having|has|gets?|needs?|wants?)) (?:an?|(?:their|his|her|our)(?: own)?) en[- ]?suite "
+     r"bed ?room\b", r"\1 their own bedroom and bathroom"),
     # "c. 80 sqm", "env. 80 m²", "aprox. 80 m²", "rd. 80 m²"
     (r"\b(?:c\.|(?<=of )c|(?<=flat )c|(?:env|aprox|appr|approx|rd|ungef)\b\.?) ?(?=\d{2})", "about "),
     (r"\b([2-6]) ?er[ -]wg\b", r"wg mit \1 schlafzimmern"),
@@ -98,6 +108,23 @@ _SAID = rules((
     # "living 30, 2x bedroom 14", "the kids bedroom on other side"
     (r"\b([2-5]) ?x ?(bed ?room|bath ?room|study|balcony)s? (\d{1,2}(?:\.\d)?)(?= ?(?:[,;.]|$))", r"\1 x \2 \3 m2"),
     (r"\bon other side\b", "on the other side"),
+    # "my mother and me, each with her own bedroom and ensuite bathroom"
+    (r"\b(?:for|fur|pour|para) (?:me and )?(?:my|our|meine?n?|unsere?n?|ma|mon|mi) [a-z]+"
+     r"(?: (?:and|und|et|y) (?:para )?(?:me|i|myself|mich|moi|mi))?, (?=each|jeder?|chacune?|cada un[oa])",
+     "for two flatmates, "),
+    (r"\b(each (?:with|having|has|gets?|needs?|wants?) (?:an?|(?:their|his|her|our)(?: own)?) bed ?room and) "
+     r"(?:(?:an?|their|his|her|our) )?(?:(?:own|private|en[- ]?suite) )+bath ?room\b(?! of)", r"\1 bathroom"),
+    # "in the main one a double bed, in the other two single beds", "en el principal …", "dans la grande …"
+    (r"(?:(?<=[:;,.] )|(?<=\bflat )|(?<=\bhome )|(?<=rooms ))(?:and |und |et |y )?(?:in|en|dans) (?:the |el |la |l')"
+     r"(?P<which>main|master|principale?|large|big|bigger|grande?|small|smaller|pequen[oa]|petite?|other|otr[oa]|autre)"
+     r"(?: one| room| bed ?room)?:? (?=(?:an?|one|two|three|una?|une|dos|tres|deux|trois|[1-4]) "
+     r"(?!(?:[a-z]+ )?(?:{room}s?|ones|rooms|zimmern?|chambres)\b)[a-z]+)", _one_has),
+    (r"(?<=[:;,.] )(?:and )?in the other (two|three)(?: ones| rooms| bed ?rooms)?:? (?=(?:an?|one|two) [a-z])",
+     r"the other \1 bedrooms have "),
+    # "no bath, only a shower", "just a shower, no bath": of a bathroom, what it has
+    (r"\b(?:no|without an?) bath(?:tub)?s?,? (?:but |and )?(?:only|just) (?:an? )?shower\b",
+     "a bathroom with a shower, no bathtub"),
+    (r"\b(?:only|just) (?:an? )?shower,? (?:and |but )?no bath(?:tub)?\b", "a bathroom with a shower, no bathtub"),
     # "a retired couple, both with their own bedroom", "near their room" of my parents
     (r"\b(couple|paar|pareja)\b([^.;]{0,20}?),? (?:who )?(?:each|both|each of whom|jeder|beide|cada uno)"
      r"(?: of them| of whom)? (?:with|has|have|having|wants?|needs?|gets?|mit|con) "

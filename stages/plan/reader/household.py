@@ -69,7 +69,7 @@ class Household:
         for entity in self.rooms[before:]:
             bare, uncounted = phrase.quantifier == Det.BARE, phrase.count is None
             told = id(phrase) in self.asked or bool(phrase.areas and uncounted and not phrase.labels)
-            entity.name, entity.spoken = phrase.text, bare and told and not phrase.plural
+            entity.name, entity.spoken = phrase.text, bare and told and uncounted and not phrase.plural
             named = phrase.definite or (bare and (id(phrase) in self.mentions or phrase.plural))
             entity.vague = bool(phrase.ordinals) or (uncounted and named)
         lay(phrase, found)
@@ -246,7 +246,8 @@ class Household:
             return self._uncounted(phrase, known, mentioned)
         count = math.ceil(phrase.count)
         of_those = id(phrase) in self.asked and len(known) > count > 1 and not any(e.placed for e in known)
-        if phrase.type in self.totals or (mentioned and len(known) >= count) or of_those:
+        two = phrase.type == "bedroom" and id(phrase) in self.asked and all(e.placed for e in known)
+        if phrase.type in self.totals or (mentioned and len(known) >= count and not two) or of_those:
             free = [e for e in known if not e.picked] or known
             if count >= len(known):
                 return self.ensure(phrase.type, count)
@@ -281,12 +282,8 @@ class Household:
             free = [e for e in known if not e.picked] or known
             free[0].picked = free[0].picked or phrase.type == "bedroom"
             return free[:1]
-        if (
-            phrase.type == "bathroom"
-            and mentioned
-            and known
-            and all(Trait.ENSUITE in e.labels or Trait.HALF in e.labels for e in known)
-        ):
+        private = bool(known) and all(e.labels & {Trait.ENSUITE, Trait.HALF} for e in known)
+        if phrase.type == "bathroom" and mentioned and private:
             return self.add(phrase.type)
         if known and refers:
             free = [e for e in known if e.owner is None] or known

@@ -104,6 +104,40 @@ SEATS = [
     ("appartement, une chambre, salle à manger pour 8", "B D H K L W", "D1 has 8 chair"),
     ("piso, un dormitorio, comedor para 8", "B D H K L W", "D1 has 8 chair"),
 ]  # fmt: skip
+SHOWERS = [(f"Flat with one bedroom, {said}.", "B H K L W", "W1 has 1 shower, W1 has 0 bath")
+           for said in ("no bath only shower", "no bathtub, just a shower", "only a shower, no bath")]
+EACH = [
+    (f"{who}, {each}.", "B2 H K L W2", "B1W1, B2W2")
+    for who, eachs in (
+        ("A flat for two flatmates", ("each with an ensuite bedroom", "each with their own bedroom and bathroom",
+                                      "each with their own bedroom and ensuite bathroom")),
+        ("A flat for my mother and me", ("each with her own bedroom and bathroom",)),
+        ("Eine Wohnung für meine Schwester und mich", ("jede mit eigenem Schlafzimmer und eigenem Bad",)),
+        ("Un appartement pour ma mère et moi", ("chacune avec sa chambre et sa salle de bains",)),
+        ("Un piso para mi madre y para mí", ("cada una con su dormitorio y su baño",)),
+    ) for each in eachs
+]
+_BEDS = "B1 has 1 double_bed, B2 has 2 single_bed, B2 has 1 desk, !B1 has 2 single_bed, !B1 has 1 desk"
+IN_ONE = [
+    ("Two-bedroom flat: in the main one a double bed, in the other two single beds and a desk.", "B2 H K L W", _BEDS),
+    ("Piso de dos dormitorios: en el principal una cama doble, en el otro dos camas individuales y un escritorio.",
+     "B2 H K L W", _BEDS),
+    ("Deux chambres: dans la grande un lit double, dans la petite deux lits simples et un bureau.", "B2 H K L W",
+     _BEDS),
+    ("Three bedrooms: in the main one a double bed, in the other two bedrooms a desk.", "B3 H K L W2",
+     "B1 has 1 double_bed, !B1 has 1 desk"),
+]
+APART = [
+    ("One bedroom in the west and one bedroom in the east.", "B2 H K L W", "position B1 west, position B2 east"),
+    ("One bedroom facing south, one bedroom facing north, and the living room between them.", "B2 H K L W",
+     "orientation B1 south, orientation B2 north"),
+    ("Appartement avec une grande chambre à l'ouest, une petite chambre à l'est.", "B2 H K L W",
+     "position B1 west, position B2 east"),
+    ("Ein großes Schlafzimmer im Westen, ein kleines Schlafzimmer im Osten.", "B2 H K L W",
+     "position B1 west, position B2 east"),
+    ("Un dormitorio grande al oeste, un dormitorio pequeño al este.", "B2 H K L W",
+     "position B1 west, position B2 east"),
+]
 
 
 def test_a_home_between_two_doors_is_no_wish_of_theirs() -> None:
@@ -118,3 +152,7 @@ test_rooms_told_again_or_as_others = as_meant(TOLD_AGAIN)
 test_rooms_of_which_there_are_several = as_meant(SEVERAL)
 test_people_and_where_they_sleep = as_meant(PEOPLE)
 test_seats_of_dining_rooms = as_meant(SEATS)
+test_each_of_two_has_rooms = as_meant(EACH)
+test_what_is_in_one_is_not_in_the_other = as_meant(IN_ONE)
+test_rooms_at_two_sides_are_two = as_meant(APART)
+test_no_bath_but_a_shower_is_of_a_bathroom = as_meant(SHOWERS)
