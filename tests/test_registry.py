@@ -115,9 +115,9 @@ def test_a_type_that_is_asked_for_is_a_type_and_a_value_any() -> None:
     vars(member).update(Config=bool, LEAST=3)
     assert list(contract._lacks(member, Configured)) == []
     vars(member).update(Config=3)
-    assert list(contract._lacks(member, Configured)) == ["has no Config, a type"]
+    assert list(contract._lacks(member, Configured)) == ["has no Config that will do"]
     vars(member).update(Config=bool, LEAST=None)
-    assert list(contract._lacks(member, Configured)) == ["has no LEAST, a value"]
+    assert list(contract._lacks(member, Configured)) == ["has no LEAST"]
 
 
 class Many(Protocol):

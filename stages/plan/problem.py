@@ -24,7 +24,8 @@ from apartgen.stages.plan.wishes import wishes
 WET, WHIM, MEALS = 2, 3, 24
 """What it counts that wet rooms, rooms of a draw, kitchen and dining room are near one another."""
 COOK = 40.0
-"""What a metre counts that lacks of the wall between a kitchen without a door to where one eats and that room."""
+"""What a metre counts that lacks of the wall between a kitchen without a door to where one eats and that room, while
+nothing is given up."""
 CUT_OFF = 0.05
 """Share of draws in which such a kitchen need not lie there."""
 ODD = (0.6, 2.0)
@@ -132,7 +133,7 @@ def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Pr
         edges=np.zeros((0, 6)),
         wishes=np.vstack([
             wishes(program) * (1.0, 1.0, 1.0, 1.0, 1.0, slack.heed),
-            *((ADJACENT, kitchen, living, 0.0, 0.0, COOK) for kitchen, living in whim.beside),
+            *((ADJACENT, kitchen, living, 0.0, 0.0, COOK * (slack == Slack())) for kitchen, living in whim.beside),
         ]),
         weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),
         limits=np.array([1.0, 1.0, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),

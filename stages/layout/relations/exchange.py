@@ -39,10 +39,10 @@ LEAST, TINY = 0.01, 1e-4
 """What is no gain, and no move, m."""
 
 
-def settled(there: Furniture, fixed: int, empty: Callable[[], Furniture]) -> Furniture:
+def settled(there: Furniture, fixed: int, empty: Callable[[], Furniture], counted: bool = False) -> Furniture:
     """The furniture with units of its run in a better order, if there is one that breaks nothing; the first `fixed` are
-    given and stay. A corner unit round which no run goes is a base unit."""
-    there = _straight(there, fixed, empty)
+    given and stay. A corner unit round which no run goes is a base unit, unless the number of these is `counted`."""
+    there = there if counted else _straight(there, fixed, empty)
     for _ in range(ROUNDS):
         now = cost(there.names, there.boxes, there.space)
         if now < LEAST:

@@ -127,8 +127,9 @@ class Sampler:
         if found is not None:
             p.furniture.add(name, found)
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
-            p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)
-            if not self.room.counted and exchange.BASE not in self.room.asked:
+            counted = self.room.counted or exchange.BASE in self.room.asked
+            p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork, counted)
+            if not counted:
                 p.furniture = lengthened.run_on(p.furniture, self.room.speaker.shell, given, self.room.empty.fork,
                                                 self.room.asked)
             p.furniture = corners.squared(p.furniture, given, self.room.empty.fork)
