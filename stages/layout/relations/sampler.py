@@ -127,12 +127,11 @@ class Sampler:
         if found is not None:
             p.furniture.add(name, found)
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
-            counted = self.room.counted or exchange.BASE in self.room.asked
-            p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork, counted)
+            empty, counted = self.room.empty.fork, self.room.counted or exchange.BASE in self.room.asked
+            p.furniture = exchange.settled(p.furniture, given, empty, counted)
             if not counted:
-                p.furniture = lengthened.run_on(p.furniture, self.room.speaker.shell, given, self.room.empty.fork,
-                                                self.room.asked)
-            p.furniture = corners.squared(p.furniture, given, self.room.empty.fork)
+                p.furniture = lengthened.run_on(p.furniture, self.room.speaker.shell, given, empty, self.room.asked)
+            p.furniture = corners.squared(p.furniture, given, empty)
         if self.constrained and not p.left:
             p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
         return p
