@@ -39,10 +39,21 @@ _UNDER = categories.those(lambda kind: kind.pictures > 0)
 
 
 def dealt(rooms: Sequence[Room], every: Sequence[Design], of: Room) -> list[Design]:
-    """Those of a home's pictures that are a room's: more where more may hang, and none another's as well."""
-    hands = [room.id for room in rooms for _ in range(COUNT.get(room.base, (0, 0))[1] + MORE.get(room.base, 0))]
-    own = [design for k, design in enumerate(every) if hands and hands[k % len(hands)] == of.id]
-    return [design for design in own if design.size[1] <= WIDEST.get(of.base, np.inf)]
+    """Those of a home's pictures that are a room's: more where more may hang, and none another's as well; where only
+    small ones may, they are dealt first."""
+    hands = [room for room in rooms for _ in range(COUNT.get(room.base, (0, 0))[1] + MORE.get(room.base, 0))]
+    hands.sort(key=lambda room: WIDEST.get(room.base, np.inf))
+    left, own = list(every), list[Design]()
+    while hands and left:
+        before = len(left)
+        for room in hands:
+            most = WIDEST.get(room.base, np.inf)
+            if (design := next((design for design in left if design.size[1] <= most), None)) is not None:
+                left.remove(design)
+                own += [design] if room.id == of.id else []
+        if len(left) == before:
+            break
+    return own
 
 
 def hung(room: Room, faces: Sequence[Face], here: Sequence[Furnishing], own: Sequence[Design], density: float,

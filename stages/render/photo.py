@@ -10,7 +10,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.render import View
 from apartgen.stages.scene.world import HomeWorld
 from apartgen.stages.things.body import Body
-from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.categories import TABLE, used_for
 
 SCRIPT = Path(__file__).with_name("_cycles.py")
 END = ".photo.png"
@@ -49,14 +49,15 @@ def job(home: HomeWorld, glb: Path, views: Sequence[View], samples: int, out: Pa
 
 
 def uneven(bodies: Sequence[Body]) -> dict[str, str]:
-    """By name, what materials are of that are not quite flat: plaster of walls and ceilings, cloth that is rough."""
+    """By name, what materials are of that are not quite flat: plaster of walls and ceilings, cloth that is rough, and
+    what lies on beds."""
     found: dict[str, str] = {}
     for body in bodies:
         for material in (mesh.material for link in body.links for mesh in link.visuals):
             if body.kind in ("wall", "ceiling", "lining") and material.roughness >= PLASTER:
                 found.setdefault(material.name, "plaster")
             elif body.kind == "object" and material.texture and material.roughness >= CLOTH:
-                found.setdefault(material.name, "cloth")
+                found.setdefault(material.name, "bedding" if body.category in used_for("sleep") else "cloth")
     return found
 
 

@@ -10,7 +10,7 @@ from apartgen.stages.robot import reach
 from apartgen.stages.robot.way import spread_places
 from apartgen.stages.scene.camera import MIDDLE, Camera, Panorama
 from apartgen.stages.scene.soup import Array, Index
-from apartgen.stages.scene.world import HomeWorld
+from apartgen.stages.scene.world import HomeWorld, hangs
 from apartgen.stages.space import boxes, grid
 
 PLACES, HEADINGS = 9, 16
@@ -26,6 +26,8 @@ HEAD = 0.25
 """How far from everything a camera at the height of eyes is, m."""
 CLOSE = 0.7
 """What is nearer than this is in the way of seeing, m."""
+GLARE, GLARING = 2.0, 4.0
+"""Nearer than this, m, a lamp that hangs is in the way so many times as much."""
 
 
 class Stand(NamedTuple):
@@ -101,6 +103,7 @@ def _judged(world: HomeWorld, stands: list[Stand], field: float, aspect: float) 
     """Share of each object in a coarse picture from each stand, (n, objects), and of what is too near, (n,)."""
     column, row, around = _coarse(field, aspect)
     objects = np.array([body.kind == "object" for body in world.bodies])
+    hanging = np.array([hangs(body) for body in world.bodies])
     count, index = int(objects.sum()), np.where(objects, np.cumsum(objects) - 1, -1)
     shares, near = np.zeros((len(stands), count)), np.zeros(len(stands))
     turn = np.arange(HEADINGS)[:, None]
@@ -111,7 +114,8 @@ def _judged(world: HomeWorld, stands: list[Stand], field: float, aspect: float) 
         thing = np.where(hits.triangle >= 0, index[world.every.soup.owner[hits.triangle]], -1)[cells]
         seen = np.bincount((turn * count + thing)[thing >= 0], minlength=HEADINGS * count)
         shares[start:start + HEADINGS] = seen.reshape(HEADINGS, count) / cells.shape[1]
-        near[start:start + HEADINGS] = (hits.distance < CLOSE)[cells].mean(1)
+        lamp = (hits.triangle >= 0) & hanging[world.every.soup.owner[hits.triangle]] & (hits.distance < GLARE)
+        near[start:start + HEADINGS] = np.where(lamp, GLARING, hits.distance < CLOSE)[cells].mean(1)
     return shares, near
 
 

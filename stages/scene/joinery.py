@@ -48,8 +48,8 @@ def _surround(width: float, span: Span, head: float, paint: Material) -> list[Me
     half = width / 2
     found = []
     for x0, x1 in ((span[0] - thick, span[0]), (span[1], span[1] + thick)):
-        legs = [(-half - wide, -half, 0.0), (half, half + wide, 0.0), (-half, half, head)]
-        found += [solids.box((x0, y0, z0), (x1, y1, head + wide), paint) for y0, y1, z0 in legs]
+        found += [leaves.upright((x0, y0, 0.0), (x1, y0 + wide, head + wide), paint) for y0 in (-half - wide, half)]
+        found.append(solids.box((x0, -half, head), (x1, half, head + wide), paint))
     return found
 
 
@@ -57,8 +57,8 @@ def _stops(width: float, span: Span, head: float, paint: Material) -> list[Mesh]
     """The rebate that a leaf shuts against; thin boards that line the rest of the opening."""
     x0, x1, half = span[0], span[1] - polygons.LEAF - GAP, width / 2
     return [
-        solids.box((x0, -half, 0.0), (x1, -half + LINING, head), paint),
-        solids.box((x0, half - LINING, 0.0), (x1, half, head), paint),
+        leaves.upright((x0, -half, 0.0), (x1, -half + LINING, head), paint),
+        leaves.upright((x0, half - LINING, 0.0), (x1, half, head), paint),
         solids.box((x0, -half + LINING, head - LINING), (x1, half - LINING, head), paint),
     ]
 

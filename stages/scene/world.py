@@ -120,7 +120,7 @@ def ajar_world(home: HomeWorld, scene: Scene, shares: Mapping[str, float]) -> Ho
 
 def roofless(home: HomeWorld) -> HomeWorld:
     """The same without its ceilings and what hangs from them."""
-    bare = np.array([body.kind != "ceiling" and not _hangs(body) for body in home.bodies])
+    bare = np.array([body.kind != "ceiling" and not hangs(body) for body in home.bodies])
     shown, _ = split(home.every.soup, bare[home.every.soup.owner])
     every, blockers, alpha, glow, flat, faces = _traced(home.bodies, shown)
     return replace(home, every=every, blockers=blockers, alpha=alpha, glow=glow, flat=flat, faces=faces,
@@ -160,7 +160,7 @@ def _shines(body: Body) -> bool:
     return body.category in TABLE and TABLE[body.category].lumens > 0
 
 
-def _hangs(body: Body) -> bool:
+def hangs(body: Body) -> bool:
     """Whether it hangs under the ceiling that is taken away."""
     return body.category in TABLE and TABLE[body.category].place == "ceiling"
 

@@ -15,6 +15,7 @@ from apartgen.schemas.errors import BadInput, near
 from apartgen.stages.things.asset import Material
 from apartgen.stages.things.laid import LAID
 from apartgen.stages.things.patterns import PATTERNS
+from apartgen.stages.things.prints import PRINTS, SHEETS
 
 Image = NDArray[np.uint8]
 
@@ -102,6 +103,7 @@ _TABLE: dict[str, tuple[tuple[int, int, int], float, float, str, float]] = {
     "tile_sand": ((216, 204, 184), 0.3, 0, "tile", 2300), "tile_blue": ((150, 176, 190), 0.25, 0, "tile", 2300),
     "keys_white": ((244, 243, 238), 0.3, 0, "", 1000), "piano_black": ((22, 22, 24), 0.1, 0, "", 740),
 }  # fmt: skip
+_TABLE |= {name: (color, 0.7, 0, pattern, 950) for name, (pattern, color) in SHEETS.items()}
 
 _ALPHA = {"glass": 0.28, "smoked_glass": 0.6, "sheer": 0.85}
 _EMISSION = {"bulb": 1.0, "paper_shade": 0.35}
@@ -147,7 +149,7 @@ def repeat(pattern: str) -> float:
 def shades(pattern: str, size: int) -> NDArray[np.float64]:
     """How light a pattern is on a grey ground, (size, size)."""
     rng = np.random.default_rng(zlib.crc32(pattern.encode()))
-    return np.asarray((PATTERNS | LAID)[pattern](rng, size, np.full(3, 128.0)).mean(2))
+    return np.asarray((PATTERNS | LAID | PRINTS)[pattern](rng, size, np.full(3, 128.0)).mean(2))
 
 
 def pattern(name: str) -> str:
@@ -167,7 +169,7 @@ def texture(name: str, size: int = 256) -> Image:
         raise BadInput(f"no procedural texture {name!r}; one of {', '.join(textures())}")
     color, _, _, pattern, _ = _TABLE[name]
     rng = np.random.default_rng(zlib.crc32(name.encode()))
-    shade = (PATTERNS | LAID)[pattern](rng, size, np.array(color, float))
+    shade = (PATTERNS | LAID | PRINTS)[pattern](rng, size, np.array(color, float))
     whole = np.rint(shade)
     image = np.clip(whole, 0, 255, out=whole).astype(np.uint8)
     image.flags.writeable = False

@@ -16,7 +16,8 @@ from pydantic import ConfigDict, TypeAdapter
 LYING = "_lying"
 Size = tuple[float, float, float]
 AnyLength = TypeVar("AnyLength", int, float)
-_EDGES = ("frame", "mount")
+_EDGES, _PRINT = ("frame", "mount"), "print"
+_SEEDS = 12
 Part = tuple[Any, ...]
 """A shape's name, the slot of its material, and where it is in the box."""
 
@@ -58,6 +59,11 @@ class Small:
     def bears(self) -> float:
         """How high is what lies on it, as a share of its own height."""
         return float(self.collide[0][-1]) if len(self.collide) > 1 else 1.0
+
+    @property
+    def seeds(self) -> int:
+        """How many sets of colours models of it have."""
+        return max(_SEEDS, *map(len, self.looks.values()))
 
     @property
     def called(self) -> str:
@@ -121,7 +127,8 @@ def drawn(kind: Small, rng: np.random.Generator) -> Design:
         share = rng.uniform(0, 1, 3)
     d, w, h = np.round((low + share * (high - low)) * 1000) / 1000
     names = tuple(kind.styles)
-    return Design(kind, names[int(rng.integers(len(names)))], (float(d), float(w), float(h)), int(rng.integers(12)))
+    style = names[int(rng.integers(len(names)))]
+    return Design(kind, style, (float(d), float(w), float(h)), int(rng.integers(kind.seeds)))
 
 
 def worn(kind: Small, seed: int) -> dict[str, str]:
@@ -132,6 +139,8 @@ def worn(kind: Small, seed: int) -> dict[str, str]:
 
 
 def look(design: Design) -> tuple[str, ...]:
-    """What tells a model from another across a room: its style, and its colours but for those of frame and mount."""
+    """What tells a model from another across a room: what is printed on it, or its style, and the colours that it shows
+    but for those of frame and mount."""
     colours = worn(design.kind, design.seed)
-    return design.style, *(colours[slot] for slot in colours if slot not in _EDGES)
+    shown = {slot for _, slot, *_ in design.kind.styles[design.style]}.difference(_EDGES)
+    return "" if _PRINT in shown else design.style, *(colours[slot] for slot in colours if slot in shown)

@@ -38,16 +38,32 @@ def test_a_houses_rooms_share_no_picture_and_each_has_some(seed):
 def test_no_two_pictures_of_a_home_are_of_one_composition_in_the_same_colours(seed):
     """Whatever they measure and however they are framed."""
     every = models(seed)
-    looks = {(design.style, worn["art"], worn["ink"]) for design in every
+    looks = {worn["print"] if printed(design) else (design.style, worn["art"], worn["ink"]) for design in every
              for worn in [small.worn(design.kind, design.seed)]}
     assert len(every) == len(looks) == small.TABLE["picture"].designs
+
+
+def printed(design):
+    return design.style in ("framed", "mounted", "canvas")
 
 
 def test_a_picture_shows_the_colours_that_it_is_told_by():
     for design in models(0):
         worn = small.worn(design.kind, design.seed)
         (link,) = library().load_asset("parametric", design.id()).links
-        assert {worn["art"], worn["ink"]} <= {mesh.material.name for mesh in link.visuals}
+        told = {worn["print"]} if printed(design) else {worn["art"], worn["ink"]}
+        assert told <= {mesh.material.name for mesh in link.visuals}
+
+
+def test_a_print_is_shown_once_and_upright():
+    design = next(design for design in models(0) if design.style == "framed")
+    (link,) = library().load_asset("parametric", design.id()).links
+    (sheet,) = [mesh for mesh in link.visuals if mesh.material.name == small.worn(design.kind, design.seed)["print"]]
+    front = np.isclose(sheet.vertices[:, 0], sheet.vertices[:, 0].max())
+    across, up = sheet.vertices[front, 1], sheet.vertices[front, 2]
+    assert sheet.uv[front].min(0) == pytest.approx([0, 0], abs=0.01)
+    assert sheet.uv[front].max(0) == pytest.approx([1, 1], abs=0.01)
+    assert np.corrcoef(sheet.uv[front, 1], up)[0, 1] > 0.99 and np.corrcoef(sheet.uv[front, 0], across)[0, 1] > 0.99
 
 
 def bare(length, *swept, covered=()):

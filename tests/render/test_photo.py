@@ -59,7 +59,7 @@ def test_photographs_are_listed_and_blender_is_told_of_cameras_windows_and_the_s
     walls = {mesh.material.name for body in world(Scene(read.body, opened_libraries().load_asset)).bodies
              if body.kind == "wall" for link in body.links for mesh in link.visuals} - {"tile_white"}
     assert walls and walls <= plaster and "tile_white" not in plaster
-    assert set(job["uneven"].values()) == {"plaster", "cloth"}
+    assert set(job["uneven"].values()) == {"plaster", "cloth", "bedding"}
     lit = {o.id for o in read.body.objects if TABLE[o.category].lumens > 0}
     assert lit and set(job["lamps"]) == lit
     rough = {material.name: material.roughness for body in world(Scene(read.body, opened_libraries().load_asset)).bodies

@@ -5,6 +5,7 @@ import pytest
 
 from apartgen.stages.things import materials
 from apartgen.stages.things.materials import PALETTE
+from apartgen.stages.things.prints import SHEETS
 
 
 def grey(name: str) -> np.ndarray:
@@ -22,7 +23,7 @@ def test_a_texture_tiles_and_has_about_the_colour_of_its_material(name: str) -> 
     image = np.asarray(materials.texture(name), float)
     assert image.shape == (256, 256, 3)
     assert image.mean((0, 1)) / 255 == pytest.approx(PALETTE[name].color[:3], abs=0.1)
-    for axis in (0, 1):
+    for axis in (1,) if name in SHEETS else (0, 1):  # a picture goes on to its sides at most
         steps = np.abs(np.diff(image, axis=axis)).mean((1 - axis, 2))
         across = np.abs(image.take(0, axis) - image.take(-1, axis)).mean()
         assert across <= 1.5 * steps.max() + 1
@@ -71,3 +72,14 @@ def test_a_material_is_one_that_viewers_take(name: str) -> None:
 def test_only_metals_and_mirrors_are_metal() -> None:
     metals = {"steel", "chrome", "aluminium", "brass", "copper", "black_metal", "white_metal", "mirror"}
     assert {name for name, material in PALETTE.items() if material.metalness > 0} == metals
+
+
+def test_prints_are_pictures_and_all_different() -> None:
+    images = {name: np.asarray(materials.texture(name), float) for name in SHEETS}
+    for name, image in images.items():
+        others = [other for key, other in images.items() if key != name]
+        assert min(np.abs(image - other).mean() for other in others) > 5, name
+    for name in (name for name in SHEETS if SHEETS[name][0] in ("hills", "shore", "meadow")):
+        sky, ground = images[name][:40], images[name][-40:]
+        assert sky.mean() > ground.mean() + 10, f"{name} stands on its head"
+        assert sky.mean(1).std(0).mean() < ground.std()

@@ -54,6 +54,13 @@ def _box(frame: Frame, *numbers: float) -> Shape:
     return mesh.prism([(lo[0], lo[1]), (hi[0], lo[1]), (hi[0], hi[1]), (lo[0], hi[1])], lo[2], hi[2])
 
 
+def _sheet(frame: Frame, *numbers: float) -> Shape:
+    """A box whose texture goes over its front once."""
+    lo, hi = frame.corners(numbers)
+    made = _box(frame, *numbers)
+    return made._replace(uv=((made.vertices - lo) / (hi - lo))[:, 1:])
+
+
 def _round(frame: Frame, *numbers: float) -> Shape:
     lo, hi = frame.corners(numbers)
     return mesh.rounded(lo, hi, numbers[6], 1)
@@ -85,7 +92,7 @@ def _bar(frame: Frame, path: Any, radius: float) -> Shape:
 
 
 _SHAPES: dict[str, Callable[..., Shape]] = {
-    "box": _box, "round": _round, "pillow": _pillow, "turn": _turn, "pot": _pot, "bar": _bar,
+    "box": _box, "sheet": _sheet, "round": _round, "pillow": _pillow, "turn": _turn, "pot": _pot, "bar": _bar,
 }
 
 
