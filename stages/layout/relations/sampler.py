@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
-from apartgen.stages.layout.relations.dining import smaller
+from apartgen.stages.layout.relations.astray import anywhere
+from apartgen.stages.layout.relations.dining import others
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
@@ -28,6 +29,8 @@ TRIES = 2
 """How often candidates are drawn for an object before its room is begun again; once more for what is to be large."""
 LOOKS, LAST = 8, 40
 """Candidates whose ways are looked at before new ones are drawn, and where none will be."""
+YIELDS = frozenset({"armchair"})
+"""What is left out rather than put where the table finds no place with its chairs."""
 INSTEAD = {"double_bed": ("single_bed",)}
 """What serves where something needed finds no place at all."""
 SAME, ELSEWHERE = 0.05, 0.15
@@ -81,7 +84,7 @@ class Sampler:
             said = yield [particles[i] for i in going]
             for i, (name, boxes, weight) in zip(going, said, strict=True):
                 if self.places == "random":
-                    boxes = self._anywhere(particles[i].furniture, name, boxes)
+                    boxes = anywhere(particles[i].furniture, name, boxes, self.room.speaker.shell, self.rng)
                     weight = np.full(len(boxes), 1 / len(boxes))
                 spare = 2 * len(particles) > len(contents) + 1
                 further = self._placed(particles[i], name, boxes, weight, contents[i], spare)
@@ -96,7 +99,11 @@ class Sampler:
                 spare: bool) -> Particle | None:
         """The particle with an object more, or as it is to go on without; None where it is given up, being `spare`."""
         left = _without(p.left, name)
-        found = self._fitting(p.furniture, name, boxes, left) if p.tries == 1 else None
+        found = None
+        if p.tries == 1 and (fitting := self._fitting(p.furniture, name, boxes, left)):
+            p.left.remove(name)
+            name, found = fitting
+            p.left.append(name)
         if found is None:
             found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, left=left)
         if found is None and p.tries == 1 and (other := self._another(p, name, boxes, left)):
@@ -171,24 +178,35 @@ class Sampler:
                 near = SAME if share == 1 else ELSEWHERE
                 if share == 1 and rest.leaves_room(name, boxes[k]):
                     return np.asarray(boxes[k])
-                if share > best and (share >= enough or not strict) and not runs.spare(name):
+                if share > best and (share >= enough or not strict) and not self._spare(name):
                     second, best = np.asarray(boxes[k]), share
             weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < near] = 0.0
         return second
 
-    def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array | None:
-        """A place for what leads a group, anywhere in the room, where what follows it finds its own; for a table that
-        is as long as it has to be, if there is none for a longer one."""
-        places = followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))
-        found = self._one_of(there, name, places, left)
-        return self._one_of(there, name, smaller(name, boxes, there.space, left), left) if found is None else found
+    def _spare(self, name: str) -> bool:
+        """Whether something is left out rather than put where it takes the place of what is to come."""
+        return runs.spare(name) or kinds.basic(name) in YIELDS and not self.room.asked[name]
 
-    def _one_of(self, there: Furniture, name: str, places: Array, left: Sequence[str]) -> Array | None:
+    def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> tuple[str, Array] | None:
+        """A place for what leads a group, anywhere in the room, where what follows it finds its own; for a table of
+        several sizes and kinds, the last where most of its chairs do."""
+        some = [(name, followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))),
+                *others(name, boxes, there.space, left)]
+        some = [(other, places) for other, places in some if other == name or not self.room.asked[name]]
+        for other, places in some:
+            if (found := self._one_of(there, other, places, left)) is not None:
+                return other, found
+        other, places = some[-1]
+        found = self._one_of(there, other, places, left, strict=False) if len(some) > 1 else None
+        return None if found is None else (other, found)
+
+    def _one_of(self, there: Furniture, name: str, places: Array, left: Sequence[str],
+                strict: bool = True) -> Array | None:
         if not self.constrained or self.places != "model" or not len(places):
             return None
         weight, enough = followers.likely(there, name, places, left), PART if kinds.basic(name) in PARTLY else 1.0
-        looks = LAST if weight.max() == 1 else LOOKS
-        return self._chosen(there, name, places, weight, strict=True, left=left, enough=enough, looks=looks)
+        looks = LAST if weight.max() == 1 or not strict else LOOKS
+        return self._chosen(there, name, places, weight, strict=strict, left=left, enough=enough, looks=looks)
 
     def _another(self, p: Particle, name: str, boxes: Array, left: Sequence[str]) -> tuple[str, Array] | None:
         """What serves as well where nothing but its own kind of it found no place, as a wardrobe with sliding doors."""
@@ -249,31 +267,9 @@ class Sampler:
         size = np.maximum(np.array(TABLE[name].size) * scale, TABLE[name].min)
         start = np.zeros((600, 7), np.float32)
         start[:, 3:5], start[:, 6] = size[:2], size[2]
-        boxes = np.concatenate([self._anywhere(there, name, start), followers.leading(name, start[:1], there.space)])
+        boxes = np.concatenate([anywhere(there, name, start, self.room.speaker.shell, self.rng),
+                                followers.leading(name, start[:1], there.space)])
         return self._chosen(there, name, boxes, np.full(len(boxes), 1 / len(boxes)), loose=True, looks=LAST)
-
-    def _anywhere(self, there: Furniture, name: str, boxes: Array) -> Array:
-        """Boxes of the same sizes at random: along walls what has a back, on tops what stands there, else anywhere."""
-        kind, shell = TABLE[name], self.room.speaker.shell
-        n, out, rng = len(boxes), boxes.copy(), self.rng
-        walls = np.flatnonzero((shell.boxes[:, 3] == 0) & (shell.kind == 1))
-        length = shell.boxes[walls, 4].astype(float)
-        wall = shell.boxes[walls[rng.choice(len(walls), n, p=length / length.sum())]]
-        away = boxes[:, 3] / 2 + np.where(kind.back or kind.place == "wall", 0.005, rng.random(n) * 3)
-        along = (rng.random(n) - 0.5) * np.maximum(wall[:, 4] - boxes[:, 4], 0)
-        c, s = np.cos(wall[:, 2]), np.sin(wall[:, 2])
-        out[:, 0], out[:, 1] = wall[:, 0] + away * c - along * s, wall[:, 1] + away * s + along * c
-        quarter = 0 if kind.back or kind.place == "wall" else rng.integers(4, size=n)
-        out[:, 2] = wall[:, 2] + quarter * np.pi / 2
-        height = boxes[:, 6] - boxes[:, 5]
-        low = {"wall": max(kind.z, 0.0), "ceiling": np.nan}.get(kind.place, 0.0)
-        out[:, 5] = np.where(np.isnan(low), shell.boxes[0, 6] - height, low)
-        under = [box for o, box in zip(there.names, there.boxes, strict=True) if o in kind.belongs]
-        if kind.place == "top" and under:
-            which = np.array(under)[rng.integers(len(under), size=n)]
-            out[:, :3], out[:, 5] = which[:, :3], which[:, 6]
-        out[:, 6] = out[:, 5] + height
-        return out
 
 
 def _without(left: Sequence[str], name: str) -> list[str]:
