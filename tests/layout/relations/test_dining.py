@@ -42,7 +42,7 @@ def sampler(there: Furniture, asked: tuple[str, ...] = ()) -> Sampler:
     (6.0, (), "round_table"), (2.9, (), "dining_table"), (2.9, ("round_table",), "")])
 def test_where_a_round_table_leaves_chairs_no_place_there_is_a_long_one(
         width: float, asked: tuple[str, ...], name: str) -> None:
-    """Six who sit at a round table of 1.3 m take a circle of 2.9 m with their chairs drawn back; at a long one 2.4 m."""
+    """Six who sit at a round table of 1.3 m take a circle of 2.9 m with chairs drawn back, at a long one 2.4 m."""
     there, left = room(width, 6.0), ["chair"] * 6
     found = sampler(there, asked)._fitting(there, "round_table", box((1.3, 1.3, 0.75), 0, 0)[None], left)
     if not name:
