@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.astray import anywhere
+from apartgen.stages.layout.relations.beds import narrower
 from apartgen.stages.layout.relations.dining import others
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
@@ -35,8 +36,9 @@ INSTEAD = {"double_bed": ("single_bed",)}
 """What serves where something needed finds no place at all."""
 SAME, ELSEWHERE = 0.05, 0.15
 """A candidate that is no good takes those with it that are so near, m; farther ones where a group finds no place."""
-PART = 0.5
-"""A bed has its wardrobe and a nightstand at least, a sofa its television and table, where they are placed anyway."""
+PART, LITTLE = 0.5, 0.2
+"""A bed has its wardrobe and both nightstands, a sofa its television and table, where they are placed anyway; where no
+bed finds such a place, one of them."""
 PARTLY = kinds.BEDS | kinds.SOFAS
 LAMBDA = 0.5
 """λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
@@ -105,7 +107,8 @@ class Sampler:
             name, found = fitting
             p.left.append(name)
         if found is None:
-            found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, left=left)
+            found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, left=left,
+                                 enough=float(p.tries == 0))
         if found is None and p.tries == 1 and (other := self._another(p, name, boxes, left)):
             p.left.remove(name)
             p.left.append(other[0])
@@ -156,11 +159,11 @@ class Sampler:
         return [other for other in contents if self.room.asked[other] or not runs.spare(other)]
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
-                strict: bool = False, left: Sequence[str] = (), enough: float = 1.0,
+                strict: bool = False, left: Sequence[str] = (), enough: float = 0.0,
                 looks: int = LOOKS) -> Array | None:
         """A candidate that breaks nothing, drawn by its shifted weight; None where there is none. One that leaves no
         room for what of its run or group is `left` to come is taken only where there is no other, that for most of it,
-        and at a `strict` look, where it leads a group, for `enough` of it."""
+        and where it leads a group, for `enough` of it."""
         if not self.constrained:
             return np.asarray(boxes[self._draw(weight)])
         rest = Ahead(there, ahead.needed(left, there.names), self.room.speaker.shell)
@@ -178,7 +181,7 @@ class Sampler:
                 near = SAME if share == 1 else ELSEWHERE
                 if share == 1 and rest.leaves_room(name, boxes[k]):
                     return np.asarray(boxes[k])
-                if share > best and (share >= enough or not strict) and not self._spare(name):
+                if share > best and share >= enough and not self._spare(name):
                     second, best = np.asarray(boxes[k]), share
             weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < near] = 0.0
         return second
@@ -188,23 +191,24 @@ class Sampler:
         return runs.spare(name) or kinds.basic(name) in YIELDS and not self.room.asked[name]
 
     def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> tuple[str, Array] | None:
-        """A place for what leads a group, anywhere in the room, where what follows it finds its own; for a table of
-        several sizes and kinds, the last where most of its chairs do."""
-        some = [(name, followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))),
-                *others(name, boxes, there.space, left)]
-        some = [(other, places) for other, places in some if other == name or not self.room.asked[name]]
-        for other, places in some:
-            if (found := self._one_of(there, other, places, left)) is not None:
-                return other, found
-        other, places = some[-1]
-        found = self._one_of(there, other, places, left, strict=False) if len(some) > 1 else None
-        return None if found is None else (other, found)
+        """A place for what leads a group, anywhere in the room, where what follows it finds its own, also for a
+        smaller one, or another table; at last where most chairs of a table do, and a nightstand of a bed."""
+        first = name, followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))
+        tables = [some for some in others(name, boxes, there.space, left)
+                  if some[0] == name or not self.room.asked[name]]
+        beds = narrower(name, boxes, there.space)
+        for strict, some in (True, [first, *tables, *beds]), (False, [first, *beds] if beds else tables[-1:]):
+            for other, places in some:
+                if (found := self._one_of(there, other, places, left, strict)) is not None:
+                    return other, found
+        return None
 
     def _one_of(self, there: Furniture, name: str, places: Array, left: Sequence[str],
                 strict: bool = True) -> Array | None:
         if not self.constrained or self.places != "model" or not len(places):
             return None
-        weight, enough = followers.likely(there, name, places, left), PART if kinds.basic(name) in PARTLY else 1.0
+        weight, partly = followers.likely(there, name, places, left), kinds.basic(name) in PARTLY
+        enough = (PART if partly else 1.0) if strict else LITTLE * partly
         looks = LAST if weight.max() == 1 or not strict else LOOKS
         return self._chosen(there, name, places, weight, strict=strict, left=left, enough=enough, looks=looks)
 
