@@ -1,10 +1,14 @@
-"""Places at random, whatever such things are like."""
+"""Places at random, for what finds none among those that are likely."""
 
 import numpy as np
 
+from apartgen.stages.layout.relations.followers import leading
 from apartgen.stages.layout.relations.standing import Furniture
 from apartgen.stages.layout.relations.tokens import Array, Shell
 from apartgen.stages.things.categories import TABLE
+
+MANY = 600
+"""So many places at random are tried."""
 
 
 def anywhere(there: Furniture, name: str, boxes: Array, shell: Shell, rng: np.random.Generator) -> Array:
@@ -29,3 +33,12 @@ def anywhere(there: Furniture, name: str, boxes: Array, shell: Shell, rng: np.ra
         out[:, :3], out[:, 5] = which[:, :3], which[:, 6]
     out[:, 6] = out[:, 5] + height
     return out
+
+
+def somewhere(there: Furniture, name: str, scale: float, shell: Shell, rng: np.random.Generator) -> Array:
+    """Boxes (m, 7) of a share of a thing's usual size: at random, and along all walls or all over the room, if such
+    things lead a group."""
+    size = np.maximum(np.array(TABLE[name].size) * scale, TABLE[name].min)
+    start = np.zeros((MANY, 7), np.float32)
+    start[:, 3:5], start[:, 6] = size[:2], size[2]
+    return np.concatenate([anywhere(there, name, start, shell, rng), leading(name, start[:1], there.space)])

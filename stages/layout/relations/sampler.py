@@ -14,14 +14,13 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
-from apartgen.stages.layout.relations.astray import anywhere
+from apartgen.stages.layout.relations.astray import anywhere, somewhere
 from apartgen.stages.layout.relations.beds import narrower
 from apartgen.stages.layout.relations.dining import others
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import Array
-from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
 BEGUN = 3
@@ -40,6 +39,8 @@ PART, LITTLE = 0.5, 0.2
 """A bed has its wardrobe and both nightstands, a sofa its television and table, where they are placed anyway; where no
 bed finds such a place, one of them."""
 PARTLY = kinds.BEDS | kinds.SOFAS
+GOOD = dict.fromkeys(kinds.TABLES, 1.0) | dict.fromkeys(kinds.DOUBLE, LITTLE)
+"""A place among candidates is that good before others are looked for."""
 LAMBDA = 0.5
 """λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
 KNOWN = 0.02
@@ -100,19 +101,9 @@ class Sampler:
     def _placed(self, p: Particle, name: str, boxes: Array, weight: Floats, contents: list[str],
                 spare: bool) -> Particle | None:
         """The particle with an object more, or as it is to go on without; None where it is given up, being `spare`."""
-        left = _without(p.left, name)
-        found = None
-        if p.tries == 1 and (fitting := self._fitting(p.furniture, name, boxes, left)):
-            p.left.remove(name)
-            name, found = fitting
-            p.left.append(name)
-        if found is None:
-            found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, left=left,
-                                 enough=float(p.tries == 0))
-        if found is None and p.tries == 1 and (other := self._another(p, name, boxes, left)):
-            p.left.remove(name)
-            p.left.append(other[0])
-            name, found = other
+        other, found = self._looked_for(p, name, boxes, weight, _without(p.left, name))
+        if other != name:
+            p.left[p.left.index(name)] = name = other
         if found is None and p.tries + 1 < TRIES + (name in self.room.speaker.large):
             p.tries += 1
             return p
@@ -145,6 +136,21 @@ class Sampler:
         if self.constrained and not p.left:
             p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
         return p
+
+    def _looked_for(self, p: Particle, name: str, boxes: Array, weight: Floats,
+                    left: Sequence[str]) -> tuple[str, Array | None]:
+        """What is put there and its place among candidates, or the second time anywhere, as another kind of thing may do
+        then; where more of what follows finds its own elsewhere, it is looked for there before a poor place is taken."""
+        there, first, second = p.furniture, p.tries == 0, p.tries == 1
+        if second and (some := self._fitting(there, name, boxes, left)):
+            return some
+        enough = 1.0 if first else GOOD.get(kinds.basic(name), 0.0) * second
+        found = self._chosen(there, name, boxes, weight, strict=first, left=left, enough=enough)
+        if found is None and second:
+            if some := self._fitting(there, name, boxes, left, strict=False) or self._another(p, name, boxes, left):
+                return some
+            found = self._chosen(there, name, boxes, weight, left=left) if enough else None
+        return name, found
 
     def _anew(self, p: Particle, contents: list[str], notes: Sequence[str] = ()) -> Particle:
         again = self.begin(contents)
@@ -190,25 +196,25 @@ class Sampler:
         """Whether something is left out rather than put where it takes the place of what is to come."""
         return runs.spare(name) or kinds.basic(name) in YIELDS and not self.room.asked[name]
 
-    def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> tuple[str, Array] | None:
+    def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str],
+                 strict: bool = True) -> tuple[str, Array] | None:
         """A place for what leads a group, anywhere in the room, where what follows it finds its own, also for a
-        smaller one, or another table; at last where most chairs of a table do, and a nightstand of a bed."""
+        smaller one, or another table; else, if one is not `strict`, where most of that does."""
         first = name, followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))
         tables = [some for some in others(name, boxes, there.space, left)
                   if some[0] == name or not self.room.asked[name]]
         beds = narrower(name, boxes, there.space)
-        for strict, some in (True, [first, *tables, *beds]), (False, [first, *beds] if beds else tables[-1:]):
-            for other, places in some:
-                if (found := self._one_of(there, other, places, left, strict)) is not None:
-                    return other, found
+        for other, places in [first, *tables, *beds] if strict else [first, *beds] if beds else tables[-1:]:
+            if (found := self._one_of(there, other, places, left, strict)) is not None:
+                return other, found
         return None
 
     def _one_of(self, there: Furniture, name: str, places: Array, left: Sequence[str],
                 strict: bool = True) -> Array | None:
         if not self.constrained or self.places != "model" or not len(places):
             return None
-        weight, partly = followers.likely(there, name, places, left), kinds.basic(name) in PARTLY
-        enough = (PART if partly else 1.0) if strict else LITTLE * partly
+        weight, kind = followers.likely(there, name, places, left), kinds.basic(name)
+        enough = (PART if kind in PARTLY else 1.0) if strict else LITTLE * (kind in PARTLY)
         looks = LAST if weight.max() == 1 or not strict else LOOKS
         return self._chosen(there, name, places, weight, strict=strict, left=left, enough=enough, looks=looks)
 
@@ -257,23 +263,15 @@ class Sampler:
         """Anywhere, and smaller, for what is needed, or a bed of one for two; else it is left out. All that is said."""
         for other in (name, *INSTEAD.get(name, ())) if needed else ():
             for scale in (1.0, 0.85, 0.7):
-                found = self._somewhere(p.furniture, other, scale)
+                boxes = somewhere(p.furniture, other, scale, self.room.speaker.shell, self.rng)
+                weight = np.full(len(boxes), 1 / len(boxes))
+                found = self._chosen(p.furniture, other, boxes, weight, loose=True, looks=LAST)
                 if found is not None:
                     how = " where such things stand; put where it fits" if other == name else f"; a {other} instead"
                     p.notes.append(f"no place for the {name}{how}")
                     return other, found
         p.notes.append(f"no place for the {name}; left out")
         return name, None
-
-    def _somewhere(self, there: Furniture, name: str, scale: float) -> Array | None:
-        """Where something of a share of its usual size breaks nothing: at random, and along all walls or all over the
-        room, if such things lead a group."""
-        size = np.maximum(np.array(TABLE[name].size) * scale, TABLE[name].min)
-        start = np.zeros((600, 7), np.float32)
-        start[:, 3:5], start[:, 6] = size[:2], size[2]
-        boxes = np.concatenate([anywhere(there, name, start, self.room.speaker.shell, self.rng),
-                                followers.leading(name, start[:1], there.space)])
-        return self._chosen(there, name, boxes, np.full(len(boxes), 1 / len(boxes)), loose=True, looks=LAST)
 
 
 def _without(left: Sequence[str], name: str) -> list[str]:
