@@ -139,8 +139,8 @@ class Sampler:
 
     def _looked_for(self, p: Particle, name: str, boxes: Array, weight: Floats,
                     left: Sequence[str]) -> tuple[str, Array | None]:
-        """What is put there and its place among candidates, or the second time anywhere, as another kind of thing may do
-        then; where more of what follows finds its own elsewhere, it is looked for there before a poor place is taken."""
+        """What is put there, and its place: among candidates, the second time anywhere, another thing where that one
+        does; a poor place, where little of what follows finds its own, after all others."""
         there, first, second = p.furniture, p.tries == 0, p.tries == 1
         if second and (some := self._fitting(there, name, boxes, left)):
             return some
