@@ -33,7 +33,7 @@ SCREEN = 0.3
 """What a television stand without its television costs."""
 HOOKS = 0.5
 """What it costs that nothing takes coats in the room one enters, where that is no hall."""
-NIGHTSTAND, CHAIR, TABLE, CLOSET, BERTH = 0.5, 0.4, 0.8, 1.2, 1.0
+NIGHTSTAND, CHAIR, TABLE, CLOSET, BERTH = 0.5, 0.4, 0.8, 1.8, 1.0
 """What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, a table, a place
 for clothes where one sleeps in the living room, and a place to sleep for the second in a bedroom of two."""
 FOR_TWO, LEAST_FOR_TWO = 10.0, 8.5

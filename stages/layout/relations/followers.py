@@ -83,8 +83,8 @@ TRIED = 3
 def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
     """Of as many followers as are `left` to come and have places about a leader (7,), which share finds one, a chair
     that can't be drawn back there, or one of two round a corner, being half of one; for a chair, how good it is for
-    the other one of two; a quarter of that where what comes later on finds none, worse:
-    a wardrobe, the television, the table; half of it where one of two in a bed gets out over the other."""
+    the other one of two; a quarter of that where what comes later on finds none, a wardrobe, the television, the table;
+    half of it where one of two in a bed gets out over the other."""
     kind, group = kinds.basic(name), [(name, box)]
     if kind == CHAIR:
         return facing.company(there, name, box, left)
@@ -130,20 +130,21 @@ def _later(there: Furniture, kind: str, group: list[tuple[str, Array]],
 
 def _table_left(there: Furniture, group: list[tuple[str, Array]], left: Sequence[str]) -> float:
     """Whether a table that is still to come finds a place with its chairs beside a group: 1 if these are drawn back
-    there, a half if one squeezes in, a quarter if not."""
-    name = next((o for o in left if kinds.basic(o) in kinds.TABLES), "")
-    chairs = left.count(CHAIR)
+    there, or would not be without an armchair either, a half if one squeezes in, a quarter if not."""
+    name, chairs = next((o for o in left if kinds.basic(o) in kinds.TABLES), ""), left.count(CHAIR)
     if not name or not chairs:
         return 1.0
+    before, best, ends = there, 1.0, 2 * (chairs > FEW)
     for o, box in group:
         there = there.besides(o, box)
     depth, width, height = TABLE[name].size
-    ends = 2 * (chairs > FEW)
     wide = max(ELBOW * -(-(chairs - ends) // 2), TABLE[name].min[1])
     for share, drawn in zip((1.0, 0.5), DRAWN, strict=True):
         places = all_over(there.space, (depth + 2 * drawn, wide + ends * drawn, height))
         if (there.prices(name, places, strict=True) < BROKEN).any():
-            return share
+            return share / best
+        if kinds.basic(group[0][0]) == gathered.SEAT and (before.prices(name, places, strict=True) >= BROKEN).all():
+            best = 0.5
     return 0.25
 
 

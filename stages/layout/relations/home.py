@@ -16,7 +16,7 @@ from apartgen.stages import seeds
 from apartgen.stages.layout import choice, wishes
 from apartgen.stages.layout import rooms as room_arrays
 from apartgen.stages.layout.config import LayoutConfig
-from apartgen.stages.layout.meals import AROUND
+from apartgen.stages.layout.meals import AROUND, table_of
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import contents, features, furnishings, living, sampler, sizes, weights
 from apartgen.stages.layout.relations.living import BASKET
@@ -31,7 +31,7 @@ from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
 from apartgen.stages.use import arrivals, belongings, eat_together, lacks_of, site
 from apartgen.stages.use.household import duties, sleepers
-from apartgen.stages.use.kinds import COATS, basic
+from apartgen.stages.use.kinds import COATS, TABLES, basic
 from apartgen.stages.use.site import Site
 
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
@@ -159,8 +159,11 @@ def _task(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, given: list[B
     type_ = known.type(room.base)
     speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
                       large=sizes.least(room.base, float(arrays.area[i]), due, told or 0))
+    asked, least = wanted_of(arrays, i, plan, room), _least(room, float(arrays.area[i]))
+    if (table := table_of(plan)) and table[0] == room.id:  # whichever of them finds a place
+        least, asked = (*least, TABLES), Counter({name: n for name, n in asked.items() if name not in TABLES})
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
-                wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room, float(arrays.area[i])))
+                asked, room.id in plan.program.counts, least)
 
 
 def _row(o: Box, origin: Array) -> Array:

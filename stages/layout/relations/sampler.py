@@ -14,12 +14,13 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
-from apartgen.stages.layout.relations.dining import smaller
+from apartgen.stages.layout.relations.astray import anywhere, somewhere
+from apartgen.stages.layout.relations.beds import narrower
+from apartgen.stages.layout.relations.dining import others
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import Array
-from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
 BEGUN = 3
@@ -28,13 +29,18 @@ TRIES = 2
 """How often candidates are drawn for an object before its room is begun again; once more for what is to be large."""
 LOOKS, LAST = 8, 40
 """Candidates whose ways are looked at before new ones are drawn, and where none will be."""
+YIELDS = frozenset({"armchair"})
+"""What is left out rather than put where the table finds no place with its chairs."""
 INSTEAD = {"double_bed": ("single_bed",)}
 """What serves where something needed finds no place at all."""
 SAME, ELSEWHERE = 0.05, 0.15
 """A candidate that is no good takes those with it that are so near, m; farther ones where a group finds no place."""
-PART = 0.5
-"""A bed has its wardrobe and a nightstand at least, a sofa its television and table, where they are placed anyway."""
+PART, LITTLE = 0.5, 0.2
+"""A bed has its wardrobe and both nightstands, a sofa its television and table, where they are placed anyway; where no
+bed finds such a place, one of them."""
 PARTLY = kinds.BEDS | kinds.SOFAS
+GOOD = dict.fromkeys(kinds.TABLES, 1.0) | dict.fromkeys(kinds.DOUBLE, LITTLE)
+"""A place among candidates is that good before others are looked for."""
 LAMBDA = 0.5
 """λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
 KNOWN = 0.02
@@ -81,7 +87,7 @@ class Sampler:
             said = yield [particles[i] for i in going]
             for i, (name, boxes, weight) in zip(going, said, strict=True):
                 if self.places == "random":
-                    boxes = self._anywhere(particles[i].furniture, name, boxes)
+                    boxes = anywhere(particles[i].furniture, name, boxes, self.room.speaker.shell, self.rng)
                     weight = np.full(len(boxes), 1 / len(boxes))
                 spare = 2 * len(particles) > len(contents) + 1
                 further = self._placed(particles[i], name, boxes, weight, contents[i], spare)
@@ -95,14 +101,9 @@ class Sampler:
     def _placed(self, p: Particle, name: str, boxes: Array, weight: Floats, contents: list[str],
                 spare: bool) -> Particle | None:
         """The particle with an object more, or as it is to go on without; None where it is given up, being `spare`."""
-        left = _without(p.left, name)
-        found = self._fitting(p.furniture, name, boxes, left) if p.tries == 1 else None
-        if found is None:
-            found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, left=left)
-        if found is None and p.tries == 1 and (other := self._another(p, name, boxes, left)):
-            p.left.remove(name)
-            p.left.append(other[0])
-            name, found = other
+        other, found = self._looked_for(p, name, boxes, weight, _without(p.left, name))
+        if other != name:
+            p.left[p.left.index(name)] = name = other
         if found is None and p.tries + 1 < TRIES + (name in self.room.speaker.large):
             p.tries += 1
             return p
@@ -136,6 +137,21 @@ class Sampler:
             p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
         return p
 
+    def _looked_for(self, p: Particle, name: str, boxes: Array, weight: Floats,
+                    left: Sequence[str]) -> tuple[str, Array | None]:
+        """What is put there, and its place: among candidates, the second time anywhere, another thing where that one
+        does; a poor place, where little of what follows finds its own, after all others."""
+        there, first, second = p.furniture, p.tries == 0, p.tries == 1
+        if second and (some := self._fitting(there, name, boxes, left)):
+            return some
+        enough = 1.0 if first else GOOD.get(kinds.basic(name), 0.0) * second
+        found = self._chosen(there, name, boxes, weight, strict=first, left=left, enough=enough)
+        if found is None and second:
+            if some := self._fitting(there, name, boxes, left, strict=False) or self._another(p, name, boxes, left):
+                return some
+            found = self._chosen(there, name, boxes, weight, left=left) if enough else None
+        return name, found
+
     def _anew(self, p: Particle, contents: list[str], notes: Sequence[str] = ()) -> Particle:
         again = self.begin(contents)
         again.begun, again.notes = p.begun + 1, list(notes)
@@ -149,11 +165,11 @@ class Sampler:
         return [other for other in contents if self.room.asked[other] or not runs.spare(other)]
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
-                strict: bool = False, left: Sequence[str] = (), enough: float = 1.0,
+                strict: bool = False, left: Sequence[str] = (), enough: float = 0.0,
                 looks: int = LOOKS) -> Array | None:
         """A candidate that breaks nothing, drawn by its shifted weight; None where there is none. One that leaves no
         room for what of its run or group is `left` to come is taken only where there is no other, that for most of it,
-        and at a `strict` look, where it leads a group, for `enough` of it."""
+        and where it leads a group, for `enough` of it."""
         if not self.constrained:
             return np.asarray(boxes[self._draw(weight)])
         rest = Ahead(there, ahead.needed(left, there.names), self.room.speaker.shell)
@@ -171,24 +187,36 @@ class Sampler:
                 near = SAME if share == 1 else ELSEWHERE
                 if share == 1 and rest.leaves_room(name, boxes[k]):
                     return np.asarray(boxes[k])
-                if share > best and (share >= enough or not strict) and not runs.spare(name):
+                if share > best and share >= enough and not self._spare(name):
                     second, best = np.asarray(boxes[k]), share
             weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < near] = 0.0
         return second
 
-    def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array | None:
-        """A place for what leads a group, anywhere in the room, where what follows it finds its own; for a table that
-        is as long as it has to be, if there is none for a longer one."""
-        places = followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))
-        found = self._one_of(there, name, places, left)
-        return self._one_of(there, name, smaller(name, boxes, there.space, left), left) if found is None else found
+    def _spare(self, name: str) -> bool:
+        """Whether something is left out rather than put where it takes the place of what is to come."""
+        return runs.spare(name) or kinds.basic(name) in YIELDS and not self.room.asked[name]
 
-    def _one_of(self, there: Furniture, name: str, places: Array, left: Sequence[str]) -> Array | None:
+    def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str],
+                 strict: bool = True) -> tuple[str, Array] | None:
+        """A place for what leads a group, anywhere in the room, where what follows it finds its own, also for a
+        smaller one, or another table; else, if one is not `strict`, where most of that does."""
+        first = name, followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))
+        tables = [some for some in others(name, boxes, there.space, left)
+                  if some[0] == name or not self.room.asked[name]]
+        beds = narrower(name, boxes, there.space)
+        for other, places in [first, *tables, *beds] if strict else [first, *beds] if beds else tables[-1:]:
+            if (found := self._one_of(there, other, places, left, strict)) is not None:
+                return other, found
+        return None
+
+    def _one_of(self, there: Furniture, name: str, places: Array, left: Sequence[str],
+                strict: bool = True) -> Array | None:
         if not self.constrained or self.places != "model" or not len(places):
             return None
-        weight, enough = followers.likely(there, name, places, left), PART if kinds.basic(name) in PARTLY else 1.0
-        looks = LAST if weight.max() == 1 else LOOKS
-        return self._chosen(there, name, places, weight, strict=True, left=left, enough=enough, looks=looks)
+        weight, kind = followers.likely(there, name, places, left), kinds.basic(name)
+        enough = (PART if kind in PARTLY else 1.0) if strict else LITTLE * (kind in PARTLY)
+        looks = LAST if weight.max() == 1 or not strict else LOOKS
+        return self._chosen(there, name, places, weight, strict=strict, left=left, enough=enough, looks=looks)
 
     def _another(self, p: Particle, name: str, boxes: Array, left: Sequence[str]) -> tuple[str, Array] | None:
         """What serves as well where nothing but its own kind of it found no place, as a wardrobe with sliding doors."""
@@ -235,45 +263,15 @@ class Sampler:
         """Anywhere, and smaller, for what is needed, or a bed of one for two; else it is left out. All that is said."""
         for other in (name, *INSTEAD.get(name, ())) if needed else ():
             for scale in (1.0, 0.85, 0.7):
-                found = self._somewhere(p.furniture, other, scale)
+                boxes = somewhere(p.furniture, other, scale, self.room.speaker.shell, self.rng)
+                weight = np.full(len(boxes), 1 / len(boxes))
+                found = self._chosen(p.furniture, other, boxes, weight, loose=True, looks=LAST)
                 if found is not None:
                     how = " where such things stand; put where it fits" if other == name else f"; a {other} instead"
                     p.notes.append(f"no place for the {name}{how}")
                     return other, found
         p.notes.append(f"no place for the {name}; left out")
         return name, None
-
-    def _somewhere(self, there: Furniture, name: str, scale: float) -> Array | None:
-        """Where something of a share of its usual size breaks nothing: at random, and along all walls or all over the
-        room, if such things lead a group."""
-        size = np.maximum(np.array(TABLE[name].size) * scale, TABLE[name].min)
-        start = np.zeros((600, 7), np.float32)
-        start[:, 3:5], start[:, 6] = size[:2], size[2]
-        boxes = np.concatenate([self._anywhere(there, name, start), followers.leading(name, start[:1], there.space)])
-        return self._chosen(there, name, boxes, np.full(len(boxes), 1 / len(boxes)), loose=True, looks=LAST)
-
-    def _anywhere(self, there: Furniture, name: str, boxes: Array) -> Array:
-        """Boxes of the same sizes at random: along walls what has a back, on tops what stands there, else anywhere."""
-        kind, shell = TABLE[name], self.room.speaker.shell
-        n, out, rng = len(boxes), boxes.copy(), self.rng
-        walls = np.flatnonzero((shell.boxes[:, 3] == 0) & (shell.kind == 1))
-        length = shell.boxes[walls, 4].astype(float)
-        wall = shell.boxes[walls[rng.choice(len(walls), n, p=length / length.sum())]]
-        away = boxes[:, 3] / 2 + np.where(kind.back or kind.place == "wall", 0.005, rng.random(n) * 3)
-        along = (rng.random(n) - 0.5) * np.maximum(wall[:, 4] - boxes[:, 4], 0)
-        c, s = np.cos(wall[:, 2]), np.sin(wall[:, 2])
-        out[:, 0], out[:, 1] = wall[:, 0] + away * c - along * s, wall[:, 1] + away * s + along * c
-        quarter = 0 if kind.back or kind.place == "wall" else rng.integers(4, size=n)
-        out[:, 2] = wall[:, 2] + quarter * np.pi / 2
-        height = boxes[:, 6] - boxes[:, 5]
-        low = {"wall": max(kind.z, 0.0), "ceiling": np.nan}.get(kind.place, 0.0)
-        out[:, 5] = np.where(np.isnan(low), shell.boxes[0, 6] - height, low)
-        under = [box for o, box in zip(there.names, there.boxes, strict=True) if o in kind.belongs]
-        if kind.place == "top" and under:
-            which = np.array(under)[rng.integers(len(under), size=n)]
-            out[:, :3], out[:, 5] = which[:, :3], which[:, 6]
-        out[:, 6] = out[:, 5] + height
-        return out
 
 
 def _without(left: Sequence[str], name: str) -> list[str]:
