@@ -135,6 +135,6 @@ def denied_beside(out: list[Item], items: list[Item], k: int) -> bool:
 
 
 def has_nothing(out: list[Item], items: list[Item], k: int) -> bool:
-    """The verb of `far from the lounge because we often have guests`: guests are no things, and nothing stands there."""
+    """The verb of `far from the lounge because we often have guests`: guests are no things."""
     ends = k + 1 == len(items) or is_mark(items[k + 1], ".;")
     return items[k].value == "has" and last(out).room is not None and ends

@@ -38,6 +38,7 @@ from apartgen.stages.plan.reader.meant_of import meant_of
 from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.named_again import named_again
+from apartgen.stages.plan.reader.one_room import in_one_room
 from apartgen.stages.plan.reader.only_ways import only_ways
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
@@ -72,7 +73,8 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = unparted(named_again(told_apart(instead_of(beside_entrance(in_characters(as_typed(fold(prompt))))))))
+    told = beside_entrance(in_characters(in_one_room(as_typed(fold(prompt)))))
+    told = unparted(named_again(told_apart(instead_of(told))))
     told = inverted(advertised(itemized(only_ways(meant_of(told)))))
     folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
