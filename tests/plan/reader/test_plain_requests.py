@@ -1,6 +1,9 @@
 """What users ask for in the plainest words: who sleeps where, reasons, shared baths, rooms for helpers, sizes."""
 
+import pytest
 from sentences.facts import as_meant
+
+from apartgen.stages.plan.reader import read
 
 REASONS = [
     ("The bedrooms should be far from the living room because we often have guests late.", "B2 H K L W",
@@ -10,3 +13,68 @@ REASONS = [
 ]  # fmt: skip
 
 test_a_reason_takes_nothing_from_what_is_asked = as_meant(REASONS)
+
+ONE_ROOM = [
+    ("Two-room apartment, with a combined living and sleeping room, kitchen and a bath with shower.", "K L W",
+     "L1 has 1 double_bed, W1 has 1 shower"),
+    ("Flat with a living-bedroom, kitchen and bath.", "K L W", "L1 has 1 double_bed"),
+    ("One room for living and sleeping, a kitchen and a bathroom.", "K L W", "L1 has 1 double_bed"),
+    ("Wohnung mit Wohn-/Schlafzimmer, Küche und Bad.", "K L W", "L1 has 1 double_bed"),
+    ("Appartement avec séjour-chambre, cuisine et salle d'eau.", "K L W", "L1 has 1 double_bed"),
+    ("Two bedrooms and a living-sleeping room, kitchen, bath.", "B2 H K L W", "L1 has 1 double_bed"),
+    ("Flat with living and sleeping areas, two bedrooms.", "B2 H K L W", "!L1 has 1 double_bed"),
+    ("Studio with a sleeping corner, a kitchenette and a shower room.", "K L W",
+     "L1 has 1 double_bed, !unread sleeping, !unread corner"),
+    ("Studio with a sleeping area and a bathroom.", "K L W", "L1 has 1 double_bed"),
+    ("Un studio avec un coin nuit, un coin cuisine et une salle d'eau.", "K L W", "!unread coin, !unread nuit"),
+    ("Ein Studio mit Schlafecke, Küchenzeile und Duschbad.", "K L W", "!unread schlafecke, !unread kuchenzeile"),
+    ("Un estudio con zona de dormir, cocina americana y baño.", "K L W", "!unread zona"),
+    ("单间公寓，有睡眠区、厨房和卫生间。", "K L W", "!unread 区"),
+]  # fmt: skip
+
+test_rooms_to_live_and_sleep_in = as_meant(ONE_ROOM)
+
+NOTHING = [
+    ("Our budget is small, we'd like something with two bedrooms, thanks a lot!", "B2 H K L W",
+     "!unread something, !unread lot"),
+    ("It is a big house for family of six people, have four bedrooms and three bathrooms.", "B4 H K L W3",
+     "!unread people"),
+]  # fmt: skip
+
+test_what_means_nothing_is_not_told = as_meant(NOTHING)
+
+THINGS = [
+    ("A flat of two bedrooms with an island.", "B2 H K L W", "K1 has 1 island, !B1 has 1 island"),
+    ("Un appartement de deux chambres avec un îlot central.", "B2 H K L W", "K1 has 1 island"),
+    ("Un piso de dos dormitorios con una isla de cocina y un horno.", "B2 H K L W", "K1 has 1 island, K1 has 1 oven"),
+    ("A flat of two bedrooms with a desk.", "B2 H K L W", "B1 has 1 desk, B2 has 1 desk"),
+]  # fmt: skip
+
+test_furniture_of_a_home_stands_in_rooms_it_is_for = as_meant(THINGS)
+
+SLEEPERS = [
+    ("The parents sleep in the big bedroom and the three boys sleep in the other one.", "B2 H K L W", "!unread boys"),
+    ("The parents sleep in the large bedroom, the two girls sleep in the small one.", "B2 H K L W", "B2=8.25"),
+    ("Two bedrooms: my wife and I sleep in one and our three boys sleep in the other.", "B2 H K L W", "!unread boys"),
+    ("Two bedrooms: the parents sleep in one and the two kids sleep in the other.", "B2 H K L W", "!unread kids"),
+    ("Three bedrooms. My husband and I have the biggest, our son has the second one, and our daughters share the "
+     "third.", "B3 H K L W2", ""),
+    ("Die Eltern schlafen im großen Schlafzimmer, die zwei Jungs im kleinen.", "B2 H K L W", "!unread jungs"),
+    ("Les parents dorment dans la grande chambre et les trois enfants dans la petite.", "B2 H K L W",
+     "!unread enfants"),
+    ("Los padres duermen en el dormitorio grande y los tres niños en el pequeño.", "B2 H K L W", "!unread ninos"),
+    ("父母睡主卧，两个孩子睡次卧。", "B2 H K L W", "!unread 孩"),
+    ("三室一厅，父母睡主卧，孩子睡小房间，奶奶睡客房。", "B3 H K L W2", "!unread 奶"),
+]  # fmt: skip
+
+test_who_sleeps_where = as_meant(SLEEPERS)
+
+
+@pytest.mark.parametrize(("prompt", "children"), [
+    ("The parents sleep in the big bedroom and the three boys sleep in the other one.", [None, 3]),
+    ("Two bedrooms: the parents sleep in one and the two kids sleep in the other.", [None, 2]),
+    ("Los padres duermen en el dormitorio grande y los tres niños en el pequeño.", [None, 3]),
+    ("父母睡主卧，两个孩子睡次卧。", [None, 2]),
+])  # fmt: skip
+def test_children_are_counted_where_they_sleep(prompt: str, children: list[int | None]) -> None:
+    assert [room.children for room in read(prompt).rooms if room.type == "bedroom"] == children
