@@ -104,6 +104,10 @@ _SAID = rules((
     (r"\b(?P<a>una? (?P<of>{es})),? (?:y |con )?(?P<b>una? {es}) (?:justo |directamente |pegado )?al lado(?= "
      r"?(?:[.,;]|$))",
      r"\g<a>, \g<b> junto al \g<of>"),
+    # "les enfants partagent une chambre à côté", "das Kinderzimmer ist daneben", "the kids' room is next door"
+    (r"\b(?<!toilettes )(?:(?:juste|tout) )?a cote{end}", "next to it"),
+    (r"\b(?:(?:direkt|gleich) )?daneben{end}", "next to it"), (r"\b(?:justo )?al lado{end}", "next to it"),
+    (r"\b(?:right )?next door{end}", "next to it"),
 ), guest=_GUEST,
    sized=_SIZED,
    side="norte|sur|este|oeste|noreste|noroeste|sureste|suroeste", least=_LEAST)  # fmt: skip
