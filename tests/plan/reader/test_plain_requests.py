@@ -78,3 +78,41 @@ test_who_sleeps_where = as_meant(SLEEPERS)
 ])  # fmt: skip
 def test_children_are_counted_where_they_sleep(prompt: str, children: list[int | None]) -> None:
     assert [room.children for room in read(prompt).rooms if room.type == "bedroom"] == children
+
+HELPERS = [
+    ("A flat for a family of four with a guest room.", "B4 H K L W2", "B4=11"),
+    ("A flat for a family of four with a maid's room.", "B4 H K L W2", "B4=8"),
+    ("Eine Wohnung für eine vierköpfige Familie mit Gästezimmer.", "B4 H K L W2", ""),
+    ("A flat for three students with a guest room.", "B4 H K L W2", ""),
+    ("A flat for an elderly couple and a room for a caregiver.", "B2 H K L W", "!unread caregiver"),
+    ("Home for an elderly couple with separate bedrooms, one accessible bathroom and a room for a caregiver.",
+     "B3 H K L W", "unread accessible, !unread caregiver"),
+    ("Two bedrooms and a room for a live-in carer.", "B3 H K L W2", "!unread live"),
+    ("Zwei Schlafzimmer und ein Zimmer für die Pflegerin.", "B3 H K L W2", "!unread pflegerin"),
+    ("Deux chambres et une chambre pour l'aide-soignante.", "B3 H K L W2", "!unread soignante"),
+    ("Dos dormitorios y una habitación para la cuidadora.", "B3 H K L W2", "!unread cuidadora"),
+    ("A room for toys and two bedrooms.", "B2 H K L S W", "!unread toys"),
+]  # fmt: skip
+
+test_guests_and_helpers_sleep_beside_those_who_live_there = as_meant(HELPERS)
+
+BESIDE = [
+    ("La chambre des parents a sa propre salle de bain, et les deux enfants partagent une chambre à côté.",
+     "B2 H K L W2", "B1W1, H1W2, adjacent B2 B1, !unread cote"),
+    ("La chambre principale a sa propre salle de bain, et les deux enfants partagent une chambre.", "B2 H K L W2",
+     "B1W1, H1W2"),
+    ("Das Elternschlafzimmer hat ein eigenes Bad, das Kinderzimmer liegt direkt daneben.", "B2 H K L W2",
+     "B1W1, adjacent B2 B1"),
+    ("The parents' bedroom has its own bathroom and the nursery is next door.", "B2 H K L W2", "adjacent B2 B1"),
+    ("El dormitorio principal tiene baño propio y el cuarto de los niños está al lado.", "B2 H K L W2",
+     "adjacent B2 B1"),
+    ("Ein Wohnzimmer mit Balkon, daneben die Küche, und zwei Schlafzimmer.", "B2 H K L W Y", "K1L1, L1Y1, !K1Y1"),
+    ("A living room with a large balcony, next to it the kitchen, and two bedrooms.", "B2 H K L W Y",
+     "K1L1, L1Y1, !K1Y1"),
+    ("Un salon avec balcon, à côté la cuisine, et deux chambres.", "B2 H K L W Y", "K1L1, L1Y1, !K1Y1"),
+    ("Un salón con balcón, al lado la cocina, y dos dormitorios.", "B2 H K L W Y", "K1L1, L1Y1, !K1Y1"),
+    ("Ein Schlafzimmer mit Bad, daneben ein Arbeitszimmer.", "B H K L S W", "adjacent S1 B1, !adjacent S1 W1"),
+    ("A hall, a bedroom, next to it a bathroom, and a kitchen.", "B H K L W", "adjacent W1 B1"),
+]  # fmt: skip
+
+test_beside_which_room = as_meant(BESIDE)
