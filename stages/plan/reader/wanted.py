@@ -36,10 +36,10 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     known = home.of("bedroom")
     named = [e for e in known if not e.vague]  # "the grandmother's room" is one of theirs
     named = named or (known if {Trait.MASTER, Trait.KIDS} <= {label for e in known for label in e.labels} else [])
-    alone = len(known) == 1 and bool({Trait.KIDS, Trait.GUEST} & known[0].labels)
-    apart = bool(known) and all({Trait.STAFF, Trait.GUEST} & e.labels for e in known)
-    if (alone or apart) and not (home.totals or said.main_rooms or any(e.counted for e in known)):
-        many = bedrooms(said.about.people, said.total_area, rng) if apart and said.about.people else 1
+    others = bool(known) and all({Trait.KIDS, Trait.STAFF, Trait.GUEST} & e.labels for e in known)
+    if others and not (home.totals or said.main_rooms or ("bedroom", "") in home.banned):
+        guests = all({Trait.STAFF, Trait.GUEST} & e.labels for e in known)
+        many = bedrooms(said.about.people, said.total_area, rng) if guests and said.about.people else 1
         home.add("bedroom", max(many, 1))  # of those whose child, guest or maid sleeps there
     unsaid = not (named or home.totals or said.main_rooms or said.dwelling == "studio")
     if not unsaid or any(kind == "bedroom" for kind, _ in home.banned):

@@ -116,3 +116,20 @@ BESIDE = [
 ]  # fmt: skip
 
 test_beside_which_room = as_meant(BESIDE)
+
+CHILDREN = [
+    ("The master bedroom has its own bathroom; the children share the other bathroom.", "B3 H K L W2", "B1W1, H1W2"),
+    ("El dormitorio principal tiene baño propio y vestidor; los niños comparten el otro baño.", "B3 C H K L W2",
+     "B1C1, B1W1, H1W2, !unread ninos"),
+    ("Das Elternschlafzimmer hat ein eigenes Bad, die Kinder teilen sich das andere Bad.", "B3 H K L W2", "B1W1"),
+    ("Three bedrooms. The master has its own bathroom; the kids share the other bathroom.", "B3 H K L W2", "B1W1"),
+    ("The kids should have a bathroom near their rooms.", "B3 H K L W", "adjacent W1 B2, adjacent W1 B3"),
+    ("A home for a family with kids.", "B3 H K L W2", "!unread kids"),
+    ("Un appartement pour une famille avec des enfants.", "B3 H K L W2", ""),
+    ("A family with a baby.", "B2 H K L W", ""),
+    ("Wohnung für eine vierköpfige Familie: Wohnzimmer 25 m², Küche 12 m², zwei Kinderzimmer je 12 m², kein "
+     "Esszimmer.", "B3 H K L W2", "B2=12, B3=12, L1=25, K1=12"),
+    ("An apartment with two kids' rooms, a kitchen and a bath.", "B3 H K L W", ""),
+]  # fmt: skip
+
+test_children_live_with_their_parents = as_meant(CHILDREN)
