@@ -105,7 +105,7 @@ _SAID = rules((
      r"?(?:[.,;]|$))",
      r"\g<a>, \g<b> junto al \g<of>"),
     # "les enfants partagent une chambre à côté", "das Kinderzimmer ist daneben", "the kids' room is next door"
-    (r"\b(?<!toilettes )(?:(?:juste|tout) )?a cote{end}", "next to it"),
+    (r"\b(?<!toilettes )(?<!cote )(?:(?:juste|tout) )?a cote{end}", "next to it"),
     (r"\b(?:(?:direkt|gleich) )?daneben{end}", "next to it"), (r"\b(?:justo )?al lado{end}", "next to it"),
     (r"\b(?:right )?next door{end}", "next to it"),
 ), guest=_GUEST,

@@ -30,8 +30,11 @@ _SAID = rules((
     # "a room for living and sleeping", "a combined living and sleeping room", "a living-bedroom"
     (r"\b(?:one|an?|single|1) (?:single )?room (?:for|to) (?:both )?(?:living|live)(?: in)? and (?:for |to )?"
      r"(?:sleeping|sleep)(?: in)?\b", _main_room),
-    (r"\b(?:an? |one |the )?(?:(?:combined|large|big|single|joint) )*(?:living|sitting)(?: room)?(?: and |[ /&+-]+)"
+    (r"\b(?:an? |one |the )?(?:large |big )?(?:combined|joint) (?:living|sitting)(?: room)?(?: and |[ /&+-]+)"
      r"(?:sleeping|bed) ?(?:room|area)\b(?! and| or)", _main_room),
+    (r"\b(?:an? |one |the )?(?:(?:large|big|single) )*(?:living|sitting)(?: and | ?[/&+-] ?)sleeping (?:room|area)\b"
+     r"(?! and| or)", _main_room),
+    (r"\b(?:an?|one) (?:large |big )?living ?[-/] ?bed ?room\b(?! ?/)", _main_room),
     (r"\b(?:eine?[mn]? |das )?(?:(?:kombinierte[sn]?|grosse[sn]?) )*wohn(?:-?/-?|- und | und |-)?"
      r"schlaf(?:zimmer|raum|bereich)\b", _main_room),
     (r"\b(?:une? |le |la )?(?:sejour|salon|piece a vivre)[ /-]+chambre\b", _main_room),

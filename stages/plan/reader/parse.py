@@ -24,6 +24,7 @@ from apartgen.stages.plan.reader.elided import written_out
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.entered import entered
 from apartgen.stages.plan.reader.exactly import furnished, names_all, sleeps_only
+from apartgen.stages.plan.reader.in_between import at_table
 from apartgen.stages.plan.reader.instead_of import instead_of
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.inverted import inverted
@@ -51,7 +52,7 @@ from apartgen.stages.plan.reader.positions import positions, role_of
 from apartgen.stages.plan.reader.purposes import purposes
 from apartgen.stages.plan.reader.quantities import quantities
 from apartgen.stages.plan.reader.rather import rather
-from apartgen.stages.plan.reader.relations import at_table, place, relations
+from apartgen.stages.plan.reader.relations import place, relations
 from apartgen.stages.plan.reader.remarks import of_that_home
 from apartgen.stages.plan.reader.rephrased import rephrased
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation

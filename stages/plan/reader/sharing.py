@@ -13,7 +13,8 @@ _SISTER = (r"(?:(?:little|big|older|younger|elder|twin|kleine|grosse|petite?|gra
 _ALONE = re.compile(r"\bmy (?:sister|brother|twin) and i share (?:an?|one|the) (?:bed ?)?room(?: together)?\b")
 _PARENTS = re.compile(r"\b(?:parents|mum|mom|dad|mother|father|grand\w+)\b")
 _THEIR_ROOMS = re.compile(r"\b(?:kids|children|child|boys|girls|sons|daughters)'?s? (?:bed)?rooms?\b|\bnurser|"
-                          r"kinderzimmer|\bchambres? d(?:es |')enfant|\b(?:habitacion|dormitorio|cuarto)(?:es)? (?:infantil|de los)|"
+                          r"kinderzimmer|\bchambres? d(?:es |')enfant|"
+                          r"\b(?:habitacion|dormitorio|cuarto)(?:es)? (?:infantil|de los)|"
                           r"\bbed ?room for|儿童房")  # fmt: skip
 
 

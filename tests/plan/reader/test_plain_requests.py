@@ -23,6 +23,7 @@ ONE_ROOM = [
     ("Appartement avec séjour-chambre, cuisine et salle d'eau.", "K L W", "L1 has 1 double_bed"),
     ("Two bedrooms and a living-sleeping room, kitchen, bath.", "B2 H K L W", "L1 has 1 double_bed"),
     ("Flat with living and sleeping areas, two bedrooms.", "B2 H K L W", "!L1 has 1 double_bed"),
+    ("The kitchen should be between the living room and bedroom.", "B H K L W", "!L1 has 1 double_bed"),
     ("Studio with a sleeping corner, a kitchenette and a shower room.", "K L W",
      "L1 has 1 double_bed, !unread sleeping, !unread corner"),
     ("Studio with a sleeping area and a bathroom.", "K L W", "L1 has 1 double_bed"),
@@ -133,3 +134,16 @@ CHILDREN = [
 ]  # fmt: skip
 
 test_children_live_with_their_parents = as_meant(CHILDREN)
+
+BETWEEN = [
+    ("A bedroom in the north-east corner, a kitchen in the south-west, and a living room in between.", "B H K L W",
+     "position B1 north_east, adjacent L1 B1, adjacent L1 K1"),
+    ("The bathroom is between the kitchen and the bedroom.", "B H K L W",
+     "adjacent W1 K1, adjacent W1 B1, H1W1, !K1W1, !B1W1"),
+    ("The kitchen is at the front, the bedroom at the back, and the bathroom in between.", "B H K L W",
+     "adjacent W1 K1, adjacent W1 B1, !K1W1"),
+    ("A living room, a kitchen, two bedrooms and a bathroom in between.", "B2 H K L W", "B1W1, B2W1"),
+    ("Two-bedroom flat, the bathroom lies between the two bedrooms.", "B2 H K L W", "B1W1, B2W1"),
+]  # fmt: skip
+
+test_what_lies_between = as_meant(BETWEEN)
