@@ -147,3 +147,16 @@ BETWEEN = [
 ]  # fmt: skip
 
 test_what_lies_between = as_meant(BETWEEN)
+
+WHICH = [
+    ("The kitchen which is open to the living room, has 12 m²", "K L", "K1=12, K1~L1"),
+    ("One-bedroom flat. The bathroom which is next to the kitchen has 6 m².", "B H K L W", "W1=6, adjacent W1 K1"),
+    ("The bedroom which has a balcony is 15 m². Two bedrooms.", "B2 H K L W Y", "B1=15, Y1=5"),
+    ("The living room that faces south is 30 m². Two bedrooms.", "B2 H K L W", "L1=30, !all=30"),
+    ("A flat with a living room which is next to a kitchen which has 12 m².", "B2 H K L W", "K1=12"),
+    ("Die Küche, die zum Wohnzimmer offen ist, hat 12 m².", "K L", "K1=12, K1~L1"),
+    ("La cuisine, qui est ouverte sur le salon, fait 12 m².", "K L", "K1=12"),
+    ("La cocina, que está abierta al salón, tiene 12 m².", "K L", "K1=12"),
+]  # fmt: skip
+
+test_a_size_behind_a_relative_clause = as_meant(WHICH)
