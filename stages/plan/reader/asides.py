@@ -134,7 +134,8 @@ def denied_beside(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-def has_nothing(out: list[Item], items: list[Item], k: int) -> bool:
-    """The verb of `far from the lounge because we often have guests`: guests are no things."""
-    ends = k + 1 == len(items) or is_mark(items[k + 1], ".;")
-    return items[k].value == "has" and last(out).room is not None and ends
+def having_something(items: list[Item]) -> list[Item]:
+    """Without the verb of `far from the lounge because we have guests`, and of `the bath next to it has`, once its area
+    is taken."""
+    ends = [k + 1 == len(items) or is_mark(items[k + 1], ".;") for k in range(len(items))]
+    return [item for k, item in enumerate(items) if not (k and ends[k] and item.value == "has" and items[k - 1].room)]

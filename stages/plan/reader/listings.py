@@ -40,6 +40,27 @@ def numbers_joined(words: list[Lexeme], i: int) -> tuple[list[float], list[str],
     return numbers, joints, j
 
 
+def paired_off(words: list[Lexeme]) -> list[Lexeme]:
+    """`living 22 kitchen 8 bath 4`: a comma behind each number of a list that has none, as they belong to what is
+    before them."""
+    out: list[Lexeme] = []
+    i = 0
+    while i < len(words):
+        end = i
+        while end + 1 < len(words) and words[end].kind == "room" and words[end + 1].kind == "number":
+            end += 2
+        begins = not out or out[-1].kind == "mark"
+        ends = end == len(words) or words[end].kind in ("mark", "conjunction")
+        if begins and ends and end - i > 4:
+            pairs = [words[k : k + 2] for k in range(i, end, 2)]
+            out += [w for pair in pairs for w in (*pair, Lexeme("mark", ",", ","))][:-1]
+            i = end
+        else:
+            out.append(words[i])
+            i += 1
+    return out
+
+
 def bare(words: list[Lexeme]) -> list[Lexeme]:
     """`38 m² in all, 12 for the bedroom`: once areas are spoken of, a number for a room is one."""
     if not any(w.kind == "area" for w in words):

@@ -9,6 +9,7 @@ from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says
 from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.articles import definite
 from apartgen.stages.plan.reader.as_typed import as_typed
+from apartgen.stages.plan.reader.asides import having_something
 from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.attachments import attach_owned
 from apartgen.stages.plan.reader.bedded import bedded
@@ -192,7 +193,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
     summed(items)
     items = compared_again(items, before)
     items = [i for i in merge_ensuites(intended(of_that_home(items))) if i.kind != "stop"]
-    items = _closed(attach_areas(of_the_last(items, before), said))
+    items = having_something(_closed(attach_areas(of_the_last(items, before), said)))
     items = [
         i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))
     ]

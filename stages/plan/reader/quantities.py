@@ -10,7 +10,15 @@ from apartgen.stages.plan.reader.denied import limits_denied, nowhere_less
 from apartgen.stages.plan.reader.dimensions import dimensions
 from apartgen.stages.plan.reader.extents import extents
 from apartgen.stages.plan.reader.lexeme import Lexeme
-from apartgen.stages.plan.reader.listings import bare, counted_behind, listing, made, numbers_joined, sized_anew
+from apartgen.stages.plan.reader.listings import (
+    bare,
+    counted_behind,
+    listing,
+    made,
+    numbers_joined,
+    paired_off,
+    sized_anew,
+)
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
@@ -26,7 +34,7 @@ SAID = 1e-6
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    words = _of_home(that_hold(_numbers(words)))
+    words = _of_home(that_hold(_numbers(paired_off(words))))
     return counted_behind(_of_things(_quantities(words)))
 
 

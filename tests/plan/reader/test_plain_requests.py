@@ -160,3 +160,18 @@ WHICH = [
 ]  # fmt: skip
 
 test_a_size_behind_a_relative_clause = as_meant(WHICH)
+
+LISTS = [
+    ("living 25, kitchen 10, bedroom 14, bath 5, storage 2", "B H K L T W", "L1=25, K1=10, B1=14, W1=5, T1=2"),
+    ("Flat: bedroom 12, bedroom 10, kitchen 8, living 20, wc 2, bath 5, hall 3.", "B2 H K L W2",
+     "B1=12, B2=10, K1=8, L1=20, W1=2, W2=5, H1=3"),
+    ("Flat: living room 24, kitchen 8, 2 bedrooms 12, bath 4, storage 2.", "B2 H K L T W", "B1=12, B2=12, T1=2"),
+    ("Three bedrooms 12, 11 and 10, kitchen 9.", "B3 H K L W2", "B1=12, B2=11, B3=10, K1=9"),
+    ("Rooms: living 22 kitchen 8 bedroom 12 bath 4 balcony 3.", "B H K L W Y", "L1=22, K1=8, B1=12, W1=4, Y1=3"),
+    ("bedroom 2 bath 2 living 25 storage 2", "B2 H K L T2 W2", "L1=25"),
+    ("bedroom 2, bathroom 1, kitchen 1", "B2 H K L W", ""),
+    ("living 25, kitchen 10, bedroom 2, bath 2", "B2 H K L W2", "L1=25, K1=10"),
+    ("2 bed 1 bath 1 living 1 balcony", "B2 H K L W Y", ""),
+]  # fmt: skip
+
+test_numbers_in_lists_of_rooms = as_meant(LISTS)
