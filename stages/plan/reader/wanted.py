@@ -36,10 +36,12 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     known = home.of("bedroom")
     named = [e for e in known if not e.vague]  # "the grandmother's room" is one of theirs
     named = named or (known if {Trait.MASTER, Trait.KIDS} <= {label for e in known for label in e.labels} else [])
-    others = bool(known) and all({Trait.KIDS, Trait.STAFF, Trait.GUEST} & e.labels for e in known)
-    if others and not (home.totals or said.main_rooms or ("bedroom", "") in home.banned):
-        guests = all({Trait.STAFF, Trait.GUEST} & e.labels for e in known)
-        many = bedrooms(said.about.people, said.total_area, rng) if guests and said.about.people else 1
+    people, counted = said.about.people, any(e.counted for e in known)
+    apart = bool(known) and all({Trait.STAFF, Trait.GUEST} & e.labels for e in known)
+    child = bool(known) and all(Trait.KIDS in e.labels for e in known)
+    child = child and ((len(known) == 1 and not counted) or (people is not None and people.pairs > 0))
+    if (child or (apart and not counted)) and not (home.totals or said.main_rooms):
+        many = bedrooms(people, said.total_area, rng) if apart and people else 1
         home.add("bedroom", max(many, 1))  # of those whose child, guest or maid sleeps there
     unsaid = not (named or home.totals or said.main_rooms or said.dwelling == "studio")
     if not unsaid or any(kind == "bedroom" for kind, _ in home.banned):

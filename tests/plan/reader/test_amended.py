@@ -43,7 +43,7 @@ SENTENCES = [
     # other languages
     ("Drei Schlafzimmer und zwei Bäder, nein, doch nur eins.", "B3 H K L W", ""),
     ("Zwei Schlafzimmer, Quatsch, drei Schlafzimmer, ein Bad.", "B3 H K L W", ""),
-    ("Drei Zimmer für die Kinder, nein, zwei Kinderzimmer reichen.", "B3 H K L W2", ""),
+    ("Drei Zimmer für die Kinder, nein, zwei Kinderzimmer reichen.", "B2 H K L W", ""),
     ("Erst wollten wir zwei Bäder, jetzt reicht eins. Drei Schlafzimmer.", "B3 H K L W", ""),
     ("Zwei Schlafzimmer und ein Arbeitszimmer. Nein, doch kein Arbeitszimmer.", "B2 H K L W", ""),
     ("Trois chambres, non, plutôt deux, et une salle de bain.", "B2 H K L W", ""),

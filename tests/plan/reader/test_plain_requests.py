@@ -124,13 +124,13 @@ CHILDREN = [
      "B1C1, B1W1, H1W2, !unread ninos"),
     ("Das Elternschlafzimmer hat ein eigenes Bad, die Kinder teilen sich das andere Bad.", "B3 H K L W2", "B1W1"),
     ("Three bedrooms. The master has its own bathroom; the kids share the other bathroom.", "B3 H K L W2", "B1W1"),
-    ("The kids should have a bathroom near their rooms.", "B3 H K L W", "adjacent W1 B2, adjacent W1 B3"),
+    ("The master bedroom has an ensuite. The kids should have a bathroom near their rooms.", "B3 H K L W2",
+     "adjacent W2 B2, adjacent W2 B3"),
     ("A home for a family with kids.", "B3 H K L W2", "!unread kids"),
     ("Un appartement pour une famille avec des enfants.", "B3 H K L W2", ""),
     ("A family with a baby.", "B2 H K L W", ""),
     ("Wohnung für eine vierköpfige Familie: Wohnzimmer 25 m², Küche 12 m², zwei Kinderzimmer je 12 m², kein "
      "Esszimmer.", "B3 H K L W2", "B2=12, B3=12, L1=25, K1=12"),
-    ("An apartment with two kids' rooms, a kitchen and a bath.", "B3 H K L W", ""),
 ]  # fmt: skip
 
 test_children_live_with_their_parents = as_meant(CHILDREN)
@@ -175,3 +175,18 @@ LISTS = [
 ]  # fmt: skip
 
 test_numbers_in_lists_of_rooms = as_meant(LISTS)
+
+OTHERS = [
+    ("Three bedrooms and three bathrooms: the master has an ensuite, the others share two.", "B3 H K L W3",
+     "B1W1, H1W2, H1W3"),
+    ("Four bedrooms: one has its own bathroom, the others share two bathrooms.", "B4 H K L W3", "B1W1, H1W2, H1W3"),
+    ("Four bedrooms: one has its own bathroom, the others share two.", "B4 H K L W3", "!B2B3"),
+    ("Five bedrooms, the master has an ensuite, the other four share two bathrooms.", "B5 H K L W3", "H1W2, H1W3"),
+    ("Vier Schlafzimmer, eines hat ein eigenes Bad, die anderen drei teilen sich zwei Bäder.", "B4 H K L W3",
+     "B1W1, H1W2, H1W3"),
+    ("Quatre chambres, la chambre principale a sa propre salle de bain, les autres partagent deux salles de bains.",
+     "B4 H K L W3", "B1W1, H1W2, H1W3"),
+    ("Cuatro dormitorios, el principal tiene baño propio y los demás comparten dos baños.", "B4 H K L W3", "B1W1"),
+]  # fmt: skip
+
+test_baths_that_the_others_share = as_meant(OTHERS)
