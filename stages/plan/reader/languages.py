@@ -39,6 +39,14 @@ def understood(prompt: str) -> None:
         raise _refused("")
 
 
+def language(prompt: str) -> str:
+    """`en`, `de`, `fr`, `es` or `zh`, whichever the prompt has most small words of."""
+    if re.search("[\u4e00-\u9fff]", prompt):
+        return "zh"
+    texts = [t.text for t in tokenize(fold(prompt))]
+    return max(_small("read"), key=lambda name: sum(text in _small("read")[name] for text in texts))
+
+
 def _refused(name: str) -> BadInput:
     what = f"language not understood ({name}?)" if name else "language not understood"
     return BadInput(f"{what}; write the prompt in English, German, French, Spanish or Chinese")

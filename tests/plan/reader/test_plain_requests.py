@@ -190,3 +190,36 @@ OTHERS = [
 ]  # fmt: skip
 
 test_baths_that_the_others_share = as_meant(OTHERS)
+
+DOORS = [
+    ("Every room has two doors. A two-bedroom flat.", "B2 H K L W",
+     "at_least L1 doors 2, at_least K1 doors 2, at_least B1 doors 2, at_least B2 doors 2"),
+    ("A two-bedroom flat, each room connects to two others.", "B2 H K L W", "at_least L1 doors 2, at_least B2 doors 2"),
+    ("A two-bedroom flat; each room should have doors to two other rooms.", "B2 H K L W", "at_least B1 doors 2"),
+    ("A two-bedroom flat, every room has a door to the hall.", "B2 H K L W", "!at_least B1 doors 2"),
+]  # fmt: skip
+
+test_doors_of_every_room = as_meant(DOORS)
+
+BABIES = [
+    ("Our bedroom and the baby's are next to each other.", "B2 H K L W", "adjacent B1 B2"),
+    ("We need our bedroom, the baby's, a bathroom and a kitchen.", "B2 H K L W", "!unread baby's"),
+    ("Two bedrooms: ours 16 m², the baby's 9 m².", "B2 H K L W", "B1=16, B2=9"),
+    ("My son's and my daughter's rooms are next to each other.", "B2 H K L W", "adjacent B1 B2"),
+]  # fmt: skip
+
+test_rooms_of_babies = as_meant(BABIES)
+
+
+@pytest.mark.parametrize(("prompt", "told"), [
+    ("Un appartement, le couloir ne doit pas faire plus de 5 m de long, la cuisine au maximum 10 m².",
+     ["couloir au plus 5 m de long", "cuisine au plus 10 m²"]),
+    ("Un piso, la cocina no debe medir más de 10 m² y el baño está al lado del dormitorio.",
+     ["cocina como máximo 10 m²", "bano junto a dormitorio"]),
+    ("Die Küche mindestens 9 m², zwei Schlafzimmer.", ["kuche mindestens 9 m²"]),
+    ("厨房至少10平方米，两个卧室。", ["厨 房 至少 10 m²"]),
+    ("The kitchen at least 9 m², the hall no longer than 5 m, two bedrooms.",
+     ["hall no longer than 5 m", "kitchen at least 9 m²"]),
+])  # fmt: skip
+def test_requirements_are_told_in_the_language_of_their_prompt(prompt: str, told: list[str]) -> None:
+    assert [asked.text for asked in read(prompt).requirements] == told
