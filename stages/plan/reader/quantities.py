@@ -12,6 +12,7 @@ from apartgen.stages.plan.reader.extents import extents
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.listings import (
     bare,
+    bare_limits,
     counted_behind,
     listing,
     made,
@@ -40,7 +41,7 @@ def quantities(words: list[Lexeme]) -> list[Lexeme]:
 
 def _quantities(words: list[Lexeme]) -> list[Lexeme]:
     words = extents(nowhere_less(dimensions(words)))
-    words = limits_denied(_one_of(_areas(_than_that(_by_percent(_shares(words))))))
+    words = limits_denied(_one_of(_area_lists(bare_limits(_areas(_than_that(_by_percent(_shares(words))))))))
     return listing(sized_anew(bare(bounded(compared_within(words)))))
 
 
@@ -197,7 +198,7 @@ def _areas(words: list[Lexeme]) -> list[Lexeme]:
         area, end = _area(words, i)
         out.append(area or words[i])
         i = end if area else i + 1
-    return _area_lists(out)
+    return out
 
 
 def _area(words: list[Lexeme], i: int) -> tuple[Lexeme | None, int]:
