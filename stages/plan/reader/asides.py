@@ -69,7 +69,8 @@ def nor_this(out: list[Item], items: list[Item], k: int) -> bool:
 def bath_each(out: list[Item], items: list[Item], k: int) -> bool:
     """`a two-bedroom flat with a bathroom each`: each of the bedrooms has one."""
     bath, each = items[k].room, ahead(items, k)[0].room
-    owned = bath is not None and bath.type in ("bathroom", "balcony", "closet") and bath.quantifier == Det.A
+    owned = bath is not None and bath.type in ("bathroom", "balcony", "closet")
+    owned = owned and bath is not None and (bath.quantifier == Det.A or bath.count == 1)
     if not owned or each is None or each.type or each.quantifier != Det.EACH or last(out).kind != "with":
         return False
     beds = [i for i in out if i.room is not None and i.room.type == "bedroom" and (i.room.count or 1) > 1]

@@ -1,0 +1,86 @@
+"""What people say of a home in passing: where one comes in, for whom or which room each of two is, what is apart."""
+
+import re
+
+from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import HALL, reworded, rules
+
+_HALL = late(rf"\b{HALL}\b|\bflur|\bdiele\b|\bcouloir|\bentree\b|\bpasillo|\brecibidor|\bvestibul|走廊|玄关")
+_MANY = late(r"\b(?:three|four|five|six|[3-9])[ -]?(?:bed ?rooms?\b|br\b)")
+_OF_ALL = ("family", "everyone", "everybody", "kids", "children", "all")
+_GUESTS = ("guest", "guests", "visitors")
+_WHO = r"(?:the |our |my |all )?(?P<{}>family|everyone|everybody|kids|children|guests?|visitors)"
+_WITH = r"(?:with (?:only |just )?[^.,;:]*? )?"
+_LIVED = r"(?:living room|lounge|main room|kitchen|living[ -]dining room|sitting room)"
+
+
+def _straight_in(found: re.Match[str]) -> str:
+    """`you enter directly into the living room` of a small home for which no hall is named: there is none."""
+    told = _HALL.search(found.string) or _MANY.search(found.string) or "studio" in found.string
+    return found.group() if told else f"no hallway, {found.group()}"
+
+
+def _bath(who: str, having: str) -> str:
+    return f"a {'guest' if who in _GUESTS else 'family'} bathroom {having}"
+
+
+def _whose_baths(found: re.Match[str]) -> str:
+    """`two bathrooms, one with a tub for the family and one for guests` as a family and a guest bathroom."""
+    one, other = found["who"], found["other"]
+    if (one in _GUESTS) == (other in _GUESTS):
+        return found.group()
+    return f"{_bath(one, found['a'])}and {_bath(other, found['b'])}".rstrip()
+
+
+def _single(rooms: str) -> str:
+    return "balcony" if rooms == "balconies" else rooms.removesuffix("s")
+
+
+def _one_each(found: re.Match[str]) -> str:
+    """`two balconies, one for the kitchen and one for the bedroom` as those of the rooms."""
+    single = _single(found["of"])
+    return f"a {single} off the {found['a']} and a {single} off the {found['b']}"
+
+
+_SAID = rules((
+    # "you enter the flat directly into the living room", "the front door opens into it", "the entrance is in it"
+    (r"\b(?:you|one|we|i|people) (?:can |should |will )?(?:enters?|comes?|walks?|steps?|arrives?)(?: in)?{home}? "
+     r"(?:directly |straight |right |immediately )(?:in|into|in to|to) the {lived}\b", _straight_in),
+    (r"\b(?:you|one|we|i|people) (?:can |should |will )?enters?{home} (?:in|into|through|via) the {lived}\b",
+     _straight_in),
+    (r"\bthe (?:front door|entrance|entrance door) (?:should |must |to )?(?:opens?|leads?|goes|be|is) "
+     r"(?:directly |straight |right )?(?:into|onto|in|to) the {lived}\b", _straight_in),
+    # "two bathrooms: one with a bathtub for the family and one with only a shower for the guests"
+    (rf"\b(?:two|2) (?:bath ?rooms|baths)(?:[,:;] ?| - ?)(?:one|the first) (?P<a>{_WITH})for {_WHO.format('who')}"
+     rf"(?:,|,? and|,? the other|;)+ (?:one|another|the other|the second)? ?(?P<b>{_WITH})for {_WHO.format('other')}\b",
+     _whose_baths),
+    # "two balconies, one for the kitchen and one for the bedroom", "two closets, one for each bedroom"
+    (r"\b(?:two|2) (?P<of>balconies|terraces|patios)(?:[,:;] ?| - ?)(?:one|the first) {at} the (?P<a>{kind})"
+     r"(?:,|,? and|;)+ (?:one|another|the other|the second) {at} the (?P<b>{kind})", _one_each),
+    (r"\b{several} (?P<of>balconies|(?:walk-in |walk in )?closets|dressing rooms|en[ -]?suites)(?:[,:;] ?| - ?)?"
+     r"(?:one|1) (?:for|in|off|per|at) (?:each|every) (?:of the )?bed ?rooms?\b",
+     lambda found: f"each bedroom has a {_single(found['of'])}"),
+    # "every room opens off the hall, only the bathroom is accessible from the bedroom"
+    (r"(\b(?:every|each|all)(?: the| other)? rooms? [^.;,]*?),? (?:and |but )?only the (?P<of>{kind}) "
+     r"(?:is |are |can be )?(?:accessible|reached|entered|opens|reachable) (?P<by>from|off|through|via) (?=the {kind})",
+     r"\1 except the \g<of>, which is accessible from "),
+    (r"(\balle (?:anderen )?(?:zimmer|raume)\b[^.;,]*?),? (?:und |aber )?nur (?:das|der|die) (?P<of>{de}) ist "
+     r"(?:vom|von der|von dem|durch das|durch die|uber das) (?P<by>{de})(?: aus)? (?:zuganglich|erreichbar)\b",
+     r"\1 except the \g<of>, which is accessible from the \g<by>"),
+    # "a wine cellar next to the kitchen": there is no cellar, and nothing beside the kitchen
+    (r"(\b(?:wine )?cellar) (?:next to|near|beside|off|under|below|close to) (?:the )?(?P<of>{kind}){end}",
+     r"\1, a \g<of>"),
+    # "les toilettes sont séparées de la salle de bain", "el aseo está separado del baño"
+    (r"\b(?:les |des )?(?:toilettes|wc) (?:sont|est|soient|doi(?:ven)?t etre) separee?s? de la salle de bains?\b"
+     r"(?:,? et )?", "un wc separe et une salle de bain. "),
+    (r"\b(?:el |un )?(?:aseo|wc|inodoro) (?:esta|estara|debe estar|este) separado del bano\b(?:,? y )?",
+     "un aseo y un bano. "),
+    (r"\b(?:das |ein |die |eine )?(?:wc|klo|toilette) (?:ist|soll|muss)(?: sein)? vom bad(?:ezimmer)? "
+     r"getrennt(?: sein)?\b(?:,? und )?", "ein separates wc und ein bad. "),
+), lived=_LIVED, home=r"(?: the (?:flat|apartment|home|house|unit))",
+   at="(?:for|at|on|in|by)")  # fmt: skip
+
+
+def at_home(text: str) -> str:
+    """A folded text with such clauses in the words of rooms."""
+    return reworded(text, _SAID)
