@@ -40,11 +40,12 @@ def understood(prompt: str) -> None:
 
 
 def language(prompt: str) -> str:
-    """`en`, `de`, `fr`, `es` or `zh`, whichever the prompt has most small words of."""
+    """`en`, `de`, `fr`, `es` or `zh`, whichever the prompt has most small words of; "" where it has none."""
     if re.search("[\u4e00-\u9fff]", prompt):
         return "zh"
     texts = [t.text for t in tokenize(fold(prompt))]
-    return max(_small("read"), key=lambda name: sum(text in _small("read")[name] for text in texts))
+    counts = {name: sum(text in small for text in texts) for name, small in _small("read").items()}
+    return max(counts, key=lambda name: counts[name]) if any(counts.values()) else ""
 
 
 def _refused(name: str) -> BadInput:
