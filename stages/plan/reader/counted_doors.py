@@ -54,6 +54,10 @@ _SAID = rules((
      r"(?:directly )?(?:connects?|connected|leads?|linked|opens?|joined)?(?: directly)? ?(?:to|into|with) "
      r"(?:at least )?{many} (?:others?|(?:other |different |neighbou?ring )?rooms|neighbou?rs){end}",
      r"every room has at least \g<n> doors"),
+    # "the kitchen can be reached from two different rooms"
+    (r"\b(?P<of>the {kind}) (?:(?:{must} |is |are )(?:be )?)?(?:reached|entered|accessible|accessed|reachable) from "
+     r"(?:at least )?{many} (?:(?:different|other|separate) )?(?:rooms|sides|places|directions)\b",
+     r"\g<of> has at least \g<n> doors"),
     # "no more than two rooms may open off the living room"
     (r"\b(?P<limit>{least}|{most}|only|exactly) (?P<n>{number}) rooms? (?:{must} )?(?:be )?(?:opens?|leads?|have a "
      r"door|reached|entered|accessible)(?: directly)? (?:off|from|on ?to|in ?to|to) (?P<of>the {kind}){end}",

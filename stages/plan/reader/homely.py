@@ -1,7 +1,8 @@
-"""What people say of a home in passing: where one comes in, for whom or which room each of two is, what is apart."""
+"""What people say of a home in passing: where they come in and come from, whose each of two is, corners and sizes."""
 
 import re
 
+from apartgen.stages.plan.reader.languages import language
 from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import HALL, reworded, rules
 
@@ -42,7 +43,70 @@ def _one_each(found: re.Match[str]) -> str:
     return f"a {single} off the {found['a']} and a {single} off the {found['b']}"
 
 
+def _kids_rooms(found: re.Match[str]) -> str:
+    """`12 for each of the two kids` as that many rooms of that size."""
+    return f"{found['n']} kids rooms of {found['size']} m2 each"
+
+
+def _sized_kids(found: re.Match[str]) -> str:
+    """`kids 11 + 11` of a list of sizes as the rooms of children."""
+    room = {"parents": "parents' bedroom", "kids": "kids room", "kid": "kids room", "child": "kids room",
+            "children": "kids room", "guest": "guest room", "guests": "guest room"}[found["who"]]  # fmt: skip
+    sizes = re.findall(r"\d+(?:[.,]\d+)?", found["sizes"])
+    if len(sizes) == 1:
+        return f"{found['begin']}{room} {sizes[0]}"
+    return f"{found['begin']}{len(sizes)} {room}s of {', '.join(sizes[:-1])} and {sizes[-1]} m2"
+
+
+def _her_rooms(found: re.Match[str]) -> str:
+    """Her bedroom with an own bath, of which the rest is said, too."""
+    more = f". the relative's bedroom is {found['more'].strip(', ')}" if found["more"] else ""
+    return f"a relative's bedroom with its own {found['bath']}{more}"
+
+
+_FALSE_FRIENDS = {"bad": "", "gang": "gangsters", "herd": "herds"}
+
+
+def _in_english(found: re.Match[str]) -> str:
+    """English words that name rooms and furniture in other languages: `my knees are bad`, `a gang of four`."""
+    return _FALSE_FRIENDS[found.group()] if language(found.string) == "en" else found.group()
+
+
 _SAID = rules((
+    # "my knees are bad", "brightly lit", "un taller"
+    (r"\b(?:bad|gang|herd)\b", _in_english), (r"\b(?:well|bright|brightly|naturally)[ -]lit\b", "bright"),
+    (r"\b(?:dimly|poorly|badly|softly)[ -]lit\b", "dark"), (r"\b(un|el|y|con|de) taller\b", r"\1 sala de trabajo"),
+    # "we just sold our big house", "we used to live in a villa": homes that are none any more
+    (r"\b(?:just |have |had |recently |already )*(?:sold|sell|selling|left|leaving|gave up|moved out of|lived in|"
+     r"used to live in|used to have|come from) (?:our|my|an?|the|their) (?:[a-z]+ ){0,2}(?:house|home|flat|apartment|"
+     r"villa|bungalow|cottage)\b", "moved"),
+    # "we don't mind sharing the bathroom"
+    (r"\b(?:(?:we|i|they|you) )?(?:do not|don't|would not|wouldn't|does not|doesn't) mind (?:sharing|to share|having|"
+     r"if we share|if they share) ", "shared: "),
+    # "a home office corner in the living room"
+    (r"\b(?:an? |the |one |small )*(?:home office|office|work|working|desk|study|computer|homework) (?:corner|nook|"
+     r"area|space|spot|place) (?:in|inside|within) (?P<of>(?:the |my |our |each |every )?{kind})", r"a desk in \g<of>"),
+    # "she should have her bedroom and her own shower room away from the living room"
+    (r"\b(?:she|he) (?:(?:should|must|will) have|{has}) (?:her|his|an?) (?:own )?bed ?room and (?:her|his|an?) own "
+     r"(?P<bath>shower room|bath ?room)(?P<more>,? (?:both )?(?:far )?(?:away )?from [^.;,]*)?", _her_rooms),
+    # "I'm a piano teacher", "and the rest for bathroom and hall"
+    (r"\b(?:piano|guitar|violin) (?=(?:teacher|player|student|lesson)s?\b)", ""),
+    (r"[,;]? ?(?:and )?the (?:rest|remainder|remaining (?:area|space)) (?:is |goes |left |should be )?(?:for|to) "
+     r"(?=[a-z])", ". "),
+    # "12 for each of the two kids", "kids 11 + 11" beside other rooms with sizes
+    (r"\b(?P<size>\d{1,2}(?:[.,]\d)?) ?(?:{unit} )?for each of (?:the|our|my) (?P<n>{several}) "
+     r"(?:kids|children)\b(?!')", _kids_rooms),
+    (r"(?P<begin>[a-z] ?\d{1,2}(?:[.,]\d)?(?: ?{unit})?[,;] ?(?:and )?)(?P<who>parents|kids?|child|children|guests?)"
+     r"(?::| -)? (?P<sizes>\d{1,2}(?:[.,]\d)?(?: ?(?:[+&/,]|and) ?\d{1,2}(?:[.,]\d)?)*)(?! ?[a-z(]){end}", _sized_kids),
+    # "bath is inside bedroom"
+    (r"\b(?:the )?(?:bath|bathroom) (?:is|must be|should be|goes|will be) inside (?:of )?(?:the )?"
+     r"(?P<of>(?:main |master |parents' )?bed ?room)\b", r"the \g<of> has an ensuite bathroom"),
+    # "les toilettes soient près de l'entrée": one toilet; "neben Omas Zimmer"; "un salon qui donne sur la terrasse"
+    (r"\b(?P<the>les|des) toilettes\b(?! (?:a part|separees?|independantes|a cote|pour|et|sont separe))",
+     lambda found: "le wc" if found["the"] == "les" else "un wc"),
+    (r"\b(?:oma|opa|grossmutter)s (?:schlaf)?zimmer\b", "grandma's room"),
+    (r"\b(?P<a>une? (?:\w+ )?{fr}) et (?P<b>une? (?:\w+ )?(?P<of>{fr})) qui "
+     r"(?=(?:donne|ouvre|s'ouvre|communique|mene) )", r"\g<a>, \g<b>. le \g<of> "),
     # "you enter the flat directly into the living room", "the front door opens into it", "the entrance is in it"
     (r"\b(?:you|one|we|i|people) (?:can |should |will )?(?:enters?|comes?|walks?|steps?|arrives?)(?: in)?{home}? "
      r"(?:directly |straight |right |immediately )(?:in|into|in to|to) the {lived}\b", _straight_in),
