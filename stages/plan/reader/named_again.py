@@ -97,7 +97,7 @@ _SAID = rules((
      r"(?P<by>(?:beside|next to|close to|near|opposite) (?:it|them|that))(?= ?(?:[.,;]|$))",
      r"\g<room> \g<by> \g<with>"),
     (r",? and (?:the|a) usual (?={kind})", ", a "),
-    (r"\bright (?=(?:beside|opposite|behind|near|outside|by|at) )", ""),
+    (r"\bright (?=(?:beside|next|opposite|behind|near|outside|by|at) )", ""),
     (r"\b(?P<a>une? (?:\w+ )?(?P<of>{fr})),? (?:et |avec )?(?P<b>une? (?:\w+ )?{fr}) (?:juste |directement |tout "
      r")?a cote(?= ?(?:[.,;]|$))",
      r"\g<a>, \g<b> a cote de la \g<of>"),
