@@ -82,7 +82,28 @@ _OF = (
     (r"(?<!chambre )\bla principale (?=avec|a |ayant|dispose|possede)", "la chambre principale "),
     (r"自己的(?=卫生间|浴室)", "独立"),
 )  # fmt: skip
-_SAID = rules((*_PLACES, *_OPEN, *_NOT, *_OF), side=_SIDE, way_in=_WAY_IN_DE, one=_ONE, lived_de=_LIVED_DE,
+_LIMITS = (
+    # "9+ m²", "ab 9 m²", "bis 5 m²", "9平米以上", "5平米以内"
+    (r"\b(\d{1,3}) ?\+ ?(?=m2\b|sqm|sq\.? ?m|square)", r"at least \1 "),
+    (r"\bab (?=\d+(?:[.,]\d+)? ?(?:m2|qm|quadratmeter))", "mindestens "),
+    (r"(?<!\d )(?<!m2 )(?<!qm )\bbis (?:zu )?(?=\d+(?:[.,]\d+)? ?(?:m2|qm|quadratmeter))", "hochstens "),
+    (r"(?P<n>\d+(?:\.\d+)? ?(?:平方米|平米|平|m2))(?:以上|起步?)", r"至少\g<n>"),
+    (r"(?P<n>\d+(?:\.\d+)? ?(?:平方米|平米|平|m2))(?:以内|以下|之内)", r"最多\g<n>"),
+    # "3 Zi. Wohnung", "trois chambres identiques", "三个一样大的卧室"
+    (r"\b([1-6]) ?-?zi\b\.?(?![a-z])", r"\1 zimmer"),
+    (r"\bidentiques\b", "de meme taille"), (r"\bidentic[oa]s\b", "iguales"),
+    (r"(?P<n>[一两二三四五六1-6])[个间](?:一样大|同样大小?|大小(?:一样|相同))的?(?=卧室|房间|睡房)",
+     r" equal sized \g<n>个"),
+    (r"(?<=卧室|房间)(?:都|要|大小|面积)*(?:一样大|一样|相同|相等)(?=[,.;]|$)", " of equal size"),
+    # "a balcony in front of the living room", "el baño no debe dar a la cocina", "卫生间的门不要开向厨房"
+    (r"(?P<of>{outside}) (?:in front of|outside|before) (?=the {kind})", r"\g<of> off "),
+    (r"\b(?:no (?:debe|puede|tiene que|deberia) (?:dar|abrir(?:se)?)|sin (?:una )?puerta|no (?:tiene|tenga) (?:una )?"
+     r"puerta|no debe tener (?:una )?puerta) (?=al? |hacia )", "no da "),
+    (r"\b(?P<of>(?:das|die|der) {de}) ohne (?:eine )?tur (?=zu[rm] )", r"\g<of> hat keine tur "),
+    (r"(?P<a>{zh})的?门(?:不要|不能|不可以?|别)(?:开向|开在|朝向?|通向|对着)(?P<b>{zh})",
+     r" no door between \g<a> and \g<b>"),
+)  # fmt: skip
+_SAID = rules((*_PLACES, *_OPEN, *_NOT, *_OF, *_LIMITS), side=_SIDE, way_in=_WAY_IN_DE, one=_ONE, lived_de=_LIVED_DE,
               lived=r"(?:living room|kitchen|dining room|lounge|dining area|living area)")  # fmt: skip
 
 

@@ -64,18 +64,24 @@ def _her_rooms(found: re.Match[str]) -> str:
     return f"a relative's bedroom with its own {found['bath']}{more}"
 
 
-_FALSE_FRIENDS = {"bad": "", "gang": "gangsters", "herd": "herds"}
+_FALSE_FRIENDS = {"gang": "gangsters", "herd": "herds"}
 
 
 def _in_english(found: re.Match[str]) -> str:
-    """English words that name rooms and furniture in other languages: `my knees are bad`, `a gang of four`."""
+    """English words that name rooms and furniture in other languages: `a gang of four`."""
     return _FALSE_FRIENDS[found.group()] if language(found.string) == "en" else found.group()
 
 
+_ENGLISH = rules((
+    # "my knees are bad", "brightly lit"
+    (r"\b(is|are|was|were|so|very|too|not|really|feels?|looks?|smells?) bad\b", r"\1"),
+    (r"\bbad (?=(?:smells?|knees?|backs?|legs?|hips?|light|noise|weather|neighbou?rs?|idea|eyes|views?)\b)", ""),
+    (r"\b(?:gang|herd)\b", _in_english), (r"\b(?:well|bright|brightly|naturally)[ -]lit\b", "bright"),
+    (r"\b(?:dimly|poorly|badly|softly)[ -]lit\b", "dark"),
+))
 _SAID = rules((
-    # "my knees are bad", "brightly lit", "un taller"
-    (r"\b(?:bad|gang|herd)\b", _in_english), (r"\b(?:well|bright|brightly|naturally)[ -]lit\b", "bright"),
-    (r"\b(?:dimly|poorly|badly|softly)[ -]lit\b", "dark"), (r"\b(un|el|y|con|de) taller\b", r"\1 sala de trabajo"),
+    # "un taller"
+    (r"\b(un|el|y|con|de) taller\b", r"\1 sala de trabajo"),
     # "we just sold our big house", "we used to live in a villa": homes that are none any more
     (r"\b(?:just |have |had |recently |already )*(?:sold|sell|selling|left|leaving|gave up|moved out of|lived in|"
      r"used to live in|used to have|come from) (?:our|my|an?|the|their) (?:[a-z]+ ){0,2}(?:house|home|flat|apartment|"
@@ -148,3 +154,8 @@ _SAID = rules((
 def at_home(text: str) -> str:
     """A folded text with such clauses in the words of rooms."""
     return reworded(text, _SAID)
+
+
+def without_false_friends(text: str) -> str:
+    """A folded text, before anything else, without English words that other languages have for rooms and things."""
+    return reworded(text, _ENGLISH)

@@ -25,7 +25,7 @@ WORDS = {
         "B": "chambre de bonne, chambre de bébé",
     },
     "es": {
-        "S": "sala de juegos, gimnasio, sala de música, taller, cuarto de juegos, sala de cine, zona de estudio",
+        "S": "sala de juegos, gimnasio, sala de música, cuarto de juegos, sala de cine, zona de estudio",
         "T": "cuarto de herramientas, cuarto de bicicletas", "U": "cuarto de la plancha", "Y": "azotea",
         "B": "cuarto para los niños",
     },
