@@ -44,3 +44,28 @@ def test_a_word_for_a_room_is_one_room_more(language: str, kind: str, word: str)
     program = read(FRAMES[language].format(word))
     kinds = [SHORT[room.type] for room in program.rooms]
     assert kinds.count(kind) == 1 + 2 * (kind == "B") and not program.unread
+
+
+INSIDE = {
+    "de": "Zwei Schlafzimmer. Im Wohnzimmer steht {}.", "fr": "Deux chambres. Dans le salon il y a {}.",
+    "es": "Dos dormitorios. En el salón hay {}.", "zh": "两室，客厅里有{}。",
+}  # fmt: skip
+THINGS = {
+    "de": {"side_table": "ein Beistelltisch", "bookshelf": "ein Regal", "floor_lamp": "eine Stehlampe",
+           "office_chair": "ein Bürostuhl", "sofa": "ein Ecksofa"},
+    "fr": {"desk": "un bureau", "bookshelf": "une bibliothèque", "floor_lamp": "un lampadaire",
+           "office_chair": "une chaise de bureau", "sofa": "un canapé", "tv_stand": "un meuble télé",
+           "bench": "un banc", "nightstand": "une table de nuit", "oven": "un four"},
+    "es": {"bookshelf": "una librería", "floor_lamp": "una lámpara de pie", "plant": "una planta",
+           "sideboard": "un aparador", "tv_stand": "un mueble de TV", "side_table": "una mesita"},
+    "zh": {"tv_stand": "电视柜", "floor_lamp": "落地灯", "office_chair": "办公椅", "chest": "抽屉柜"},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("language", "category", "thing"), [
+    (language, category, thing) for language, things in THINGS.items() for category, thing in things.items()
+])  # fmt: skip
+def test_a_word_for_furniture_is_a_piece_of_it_where_it_is_said(language: str, category: str, thing: str) -> None:
+    program = read(INSIDE[language].format(thing))
+    assert [(one.room, one.category, one.count) for one in program.objects] == [("living_room_1", category, 1)]
+    assert not program.unread and sum(room.type == "bedroom" for room in program.rooms) == 2
