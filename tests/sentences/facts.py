@@ -48,7 +48,9 @@ def as_meant(rows: Sequence[tuple[str, str, str]]) -> Callable[[str, str, str], 
 def however_said(said: Mapping[tuple[str, str], Sequence[str]]) -> Callable[[tuple[str, str], str], None]:
     """The test that all prompts of a list have the rooms and the facts before it, and that nothing of them is told."""
 
-    @pytest.mark.parametrize(("wanted", "prompt"), [(key, prompt) for key, prompts in said.items() for prompt in prompts])
+    rows = [(key, prompt) for key, prompts in said.items() for prompt in prompts]
+
+    @pytest.mark.parametrize(("wanted", "prompt"), rows)
     def test(wanted: tuple[str, str], prompt: str) -> None:
         program = read(prompt)
         found, entries = facts(program), wanted[1].split(", ") if wanted[1] else []

@@ -82,6 +82,16 @@ _OF = (
     (r"(?<!chambre )\bla principale (?=avec|a |ayant|dispose|possede)", "la chambre principale "),
     (r"自己的(?=卫生间|浴室)", "独立"),
 )  # fmt: skip
+_THINGS = (
+    # "dans le salon il y a un canapé", "four chairs" in Chinese
+    (r"\b(?:dans|en) (?P<of>(?:le|la|chaque|notre|ma) {fr}) ?[,:]? ?(?:il y (?:a|aura|aurait) |il faut |"
+     r"se trouve(?:nt)? |je (?:veux|voudrais) |nous (?:voulons|voudrions) )"
+     r"(?=(?:une?|des|deux|trois|quatre|cinq|six|\d)\b)", r"\g<of> avec "),
+    (r"(\b(?:salon|sejour|cuisine)\b avec (?:[^.;]*?(?:,| et) )?)un bureau\b", r"\1une table de travail"),
+    (r"(\b(?:salon|sejour)\b avec (?:[^.;]*?(?:,| et) )?)une bibliotheque\b(?! murale)", r"\1une bibliotheque murale"),
+    (r"(?P<n>[一两二三四五六七八\d])(?:把|张|盏|台|架|组|套)"
+     r"(?=椅子|餐椅|桌子|餐桌|沙发|床|书桌|台灯|钢琴)", r"\g<n>个"),
+)  # fmt: skip
 _LIMITS = (
     # "9+ m²", "ab 9 m²", "bis 5 m²", "9平米以上", "5平米以内"
     (r"\b(\d{1,3}) ?\+ ?(?=m2\b|sqm|sq\.? ?m|square)", r"at least \1 "),
@@ -103,7 +113,8 @@ _LIMITS = (
     (r"(?P<a>{zh})的?门(?:不要|不能|不可以?|别)(?:开向|开在|朝向?|通向|对着)(?P<b>{zh})",
      r" no door between \g<a> and \g<b>"),
 )  # fmt: skip
-_SAID = rules((*_PLACES, *_OPEN, *_NOT, *_OF, *_LIMITS), side=_SIDE, way_in=_WAY_IN_DE, one=_ONE, lived_de=_LIVED_DE,
+_SAID = rules((*_PLACES, *_OPEN, *_NOT, *_OF, *_THINGS, *_LIMITS), side=_SIDE, way_in=_WAY_IN_DE, one=_ONE,
+              lived_de=_LIVED_DE,
               lived=r"(?:living room|kitchen|dining room|lounge|dining area|living area)")  # fmt: skip
 
 

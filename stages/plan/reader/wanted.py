@@ -37,7 +37,9 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     named = [e for e in known if not e.vague]  # "the grandmother's room" is one of theirs
     named = named or (known if {Trait.MASTER, Trait.KIDS} <= {label for e in known for label in e.labels} else [])
     people, counted = said.about.people, any(e.counted for e in known)
-    apart = bool(known) and all({Trait.STAFF, Trait.GUEST} & e.labels for e in known)
+    beside = {Trait.STAFF, Trait.GUEST}
+    beside |= {Trait.RELATIVE} if people and people.pairs and not people.singles else set()
+    apart = bool(known) and all(beside & e.labels for e in known)
     child = bool(known) and all(Trait.KIDS in e.labels for e in known)
     child = child and ((len(known) == 1 and not counted) or (people is not None and people.pairs > 0))
     if (child or (apart and not counted)) and not (home.totals or said.main_rooms):
