@@ -1,6 +1,6 @@
 """What a programme says, in short: `B2 H K L W`, `K1L1` a door, `K1~L1` no wall, `B1=12` m², `near K1 entrance`."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import pytest
 
@@ -41,6 +41,22 @@ def as_meant(rows: Sequence[tuple[str, str, str]]) -> Callable[[str, str, str], 
         missing = {entry for entry in entries if entry[0] != "!"} - said
         found = rooms(program), missing, {entry[1:] for entry in entries if entry[0] == "!"} & said
         assert found == (wanted, set(), set()), found
+
+    return test
+
+
+def however_said(said: Mapping[tuple[str, str], Sequence[str]]) -> Callable[[tuple[str, str], str], None]:
+    """The test that all prompts of a list have the rooms and the facts before it, and that nothing of them is told."""
+
+    rows = [(key, prompt) for key, prompts in said.items() for prompt in prompts]
+
+    @pytest.mark.parametrize(("wanted", "prompt"), rows)
+    def test(wanted: tuple[str, str], prompt: str) -> None:
+        program = read(prompt)
+        found, entries = facts(program), wanted[1].split(", ") if wanted[1] else []
+        missing = {entry for entry in entries if entry[0] != "!" and not set(entry.split(" or ")) & found}
+        denied = {entry[1:] for entry in entries if entry[0] == "!"} & found
+        assert (rooms(program), missing, denied, program.unread) == (wanted[0], set(), set(), [])
 
     return test
 

@@ -21,9 +21,6 @@ _SAID = rules((
     (r",? ?\(?(?:(?:which|that) (?:is|would be) )?(?:ideal|perfect|suitable|great|good|ideally suited) "
      r"(?:as|for use as|to use as|for) (?:an? |your )?{use}(?:(?:, |,? or |/| / )(?:an? |your )?{use})*\)?(?={after})",
      ""),
-    # "a room for living and sleeping"
-    (r"\b(?:one|an?|single|1) (?:single )?room (?:for|to) (?:both )?(?:living|live)(?: in)? and (?:for |to )?"
-     r"(?:sleeping|sleep)(?: in)?\b", lambda found: "a main room" if "studio" in found.string else "a studio"),
     # "arranged around a central hallway: on the left the living room"
     (r"\b(?:arranged |laid out |organi[sz]ed |grouped |set )*(?:around|along|off|on either side of) "
      r"(?P<a>an? |the |one )(?P<hall>{hall}) ?[:,]? ?(?=(?:on|to) the (?:left|right)\b)", r"with \g<a>\g<hall>. "),

@@ -43,6 +43,14 @@ def _one_toilet_less(found: re.Match[str]) -> str:
     return found.group() if _BATHED.search(found.string) else f"a bathroom{wcs}"
 
 
+def _two_toilets(found: re.Match[str]) -> str:
+    """Two toilets where no bathroom is named: one is the bathroom's, the other, at the entrance if one is, alone."""
+    if _BATHED.search(f"{found.string[: found.start()]}|{found.string[found.end() :]}"):
+        return f"a toilet {found['a']}. another toilet {found['b']}"
+    bath, alone = (found["b"], found["a"]) if "entrance" in found["a"] else (found["a"], found["b"])
+    return f"a bathroom {bath}. a toilet {alone}"
+
+
 def _zkb(found: re.Match[str]) -> str:
     """`3ZKBB` as what its letters stand for."""
     more = {"d": "diele", "k": "kuche", "b": "bad", "t": "terrasse"}
@@ -103,7 +111,10 @@ _SAID = rules((
     (r"\b(esszimmer|essplatz|essbereich) fur (?=(?:vier|sechs|acht|zehn|\d\d?)\b)", r"\1 mit einem esstisch fur "),
     (r"\b(salle a manger) pour (?=(?:quatre|six|huit|dix|\d\d?)\b)", r"\1 avec une table pour "),
     (r"\b(comedor) para (?=(?:cuatro|seis|ocho|diez|\d\d?)\b)", r"\1 con una mesa para "),
-    # "we need 3 bedrooms, 2 toilets"
+    # "two toilets, one near the bedroom and the other near the entrance", "we need 3 bedrooms, 2 toilets"
+    (r"\b(?:two|2) (?:toilets?|wcs?)[,:;]? ?(?:one|the first) (?P<a>{near} (?:the )?[a-z' ]{3,22}?)(?:,|,? and|;)+ "
+     r"(?:one|another|the other|other|the second)(?: one)? (?P<b>{near} (?:the )?(?:door of )?[a-z' ]{3,22}?){end}",
+     _two_toilets),
     (r"\b(?P<n>one|two|three|[123]) (?:toilets?|wcs?)\b", _one_toilet_less),
     # "living 30, 2x bedroom 14", "the kids bedroom on other side"
     (r"\b([2-5]) ?x ?(bed ?room|bath ?room|study|balcony)s? (\d{1,2}(?:\.\d)?)(?= ?(?:[,;.]|$))", r"\1 x \2 \3 m2"),
@@ -212,7 +223,8 @@ _SAID = rules((
     (r"长(?:长)?的?走廊", " long corridor "),
     # "les pièces de vie à l'avant"
     (r"\b(?:les )?pieces (?:de vie|a vivre)\b", "le salon et la cuisine"),
-), sharers=_SHARERS, own_bath=_OWN_BATH, dorm=_DORM, sleepers=_SLEEPERS,
+), near=r"(?:near(?: to)?|next to|close to|beside|by|in|off|at)",
+   sharers=_SHARERS, own_bath=_OWN_BATH, dorm=_DORM, sleepers=_SLEEPERS,
    one_of="una de ellas|uno de ellos|dont une?|davon eine?s?|eine?s davon|une? d'(?:elles|entre elles)")  # fmt: skip
 
 

@@ -69,7 +69,8 @@ def nor_this(out: list[Item], items: list[Item], k: int) -> bool:
 def bath_each(out: list[Item], items: list[Item], k: int) -> bool:
     """`a two-bedroom flat with a bathroom each`: each of the bedrooms has one."""
     bath, each = items[k].room, ahead(items, k)[0].room
-    owned = bath is not None and bath.type in ("bathroom", "balcony", "closet") and bath.quantifier == Det.A
+    owned = bath is not None and bath.type in ("bathroom", "balcony", "closet")
+    owned = owned and bath is not None and (bath.quantifier == Det.A or bath.count == 1)
     if not owned or each is None or each.type or each.quantifier != Det.EACH or last(out).kind != "with":
         return False
     beds = [i for i in out if i.room is not None and i.room.type == "bedroom" and (i.room.count or 1) > 1]
@@ -132,3 +133,10 @@ def denied_beside(out: list[Item], items: list[Item], k: int) -> bool:
         return False
     out += [Item("link", "near", "next to"), items[k]]
     return True
+
+
+def having_something(items: list[Item]) -> list[Item]:
+    """Without the verb of `far from the lounge because we have guests`, and of `the bath next to it has`, once its area
+    is taken."""
+    ends = [k + 1 == len(items) or is_mark(items[k + 1], ".;") for k in range(len(items))]
+    return [item for k, item in enumerate(items) if not (k and ends[k] and item.value == "has" and items[k - 1].room)]

@@ -5,6 +5,7 @@ from apartgen.stages.plan.reader.clausal import ahead, several_new
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.vocabulary import Det
+from apartgen.stages.things.categories import TABLE
 
 ASIDE = ("copula", "label", "size", "relative")
 """What may stand between a room and what it has."""
@@ -41,7 +42,7 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
         owner = None if is_mark(item, ":") and said.graph else owner or _off_another(out, items, k)
         if owner is not None and (item.value == "including" or item.kind == "mark"):
             _mark_subset(owner, items[k + 1 :], item.value == "(")
-        if owner is not None and owner.headline and _placed(items, k + 1):
+        if owner is not None and owner.headline and (_placed(items, k + 1) or _for_others(owner, items, k + 1)):
             owner = None  # "a T3 with a sofa and a tv in the living room"
         if item.kind == "with" and item.value == "including":
             pass
@@ -149,6 +150,12 @@ def _placed(items: list[Item], k: int) -> bool:
     while end < len(items) and (items[end].kind in ("object", "conjunction") or is_mark(items[end], ",")):
         end += 1
     return end > k and [i.value == "in" or i.room is not None for i in items[end : end + 2]] == [True, True]
+
+
+def _for_others(owner: RoomPhrase, items: list[Item], k: int) -> bool:
+    """Whether furniture at `k` is of rooms of other types: the island of `a flat of two bedrooms with an island`."""
+    usual = TABLE[items[k].value].rooms if k < len(items) and items[k].kind == "object" else ()
+    return bool(usual) and owner.type not in usual
 
 
 def _only_things(items: list[Item], k: int) -> bool:

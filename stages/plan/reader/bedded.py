@@ -26,8 +26,12 @@ _SAID = rules((
     (r"(^|[.;,] ?|\band )(?:we|they|both of us|all of us)(?: all| both)? (?:will |can |would )?share "
      r"(?=the (?:kitchen|living|lounge|dining|sitting|bath ?room|hall|balcony))", r"\1"),
 ), bed=_BED, named=_NAMED, short=_SHORT, **{"in": _IN})  # fmt: skip
-_TWO = late(rf"\b(?P<who>{_OWNED}|we|us|i|me) in one(?: (?:bed ?)?room| of them)?(?P<with>,? with [^.;,]*)?"
-            rf"(?:,|;| and|, and) (?P<others>{_OWNED}|we|us|i|me) in the other(?: one| (?:bed ?)?room)?\b")  # fmt: skip
+_TWO, _TWO_SLEEP = (late(
+    rf"\b(?P<who>{_OWNED}|we|us|i|me){sleep} in one(?: (?:bed ?)?room| of them)?(?P<with>,? with [^.;,]*)?"
+    rf"(?:,|;| and|, and) (?P<others>{_OWNED}|we|us|i|me){sleep} in the other(?: one| (?:bed ?)?room)?\b",
+) for sleep in ("", r"(?: (?:will |can |should )?(?:sleeps?|stays?|lives?))?"))
+_MY_WIFE = late(r"\b(?:(?:my|our) (?:wife|husband|partner|spouse|girlfriend|boyfriend) and (?:i|me)|"
+                r"(?:i|me) and my (?:wife|husband|partner|spouse|girlfriend|boyfriend)) (?=(?:will )?sleep in )")
 _SEVERAL = late(r"\b(?:two|three|four|five|[2-5])[ -]?(?:bed ?rooms|bed\b|br\b)")
 _HAVE = r"(?:have|has|get|gets|need|needs|want|wants|sleep in|sleeps in|should have|must have)"
 _THEIRS = [late(rf"\b(?:(?:the|our|my) )?({_YOUNG}|{_OLD}|guests?) {_HAVE} (?={_BED})"),
@@ -39,6 +43,7 @@ def bedded(text: str) -> str:
     text = _TWO.sub(_two, reworded(beds_listed(text), _SAID))
     if _SEVERAL.search(text) is None:
         return text
+    text = _TWO_SLEEP.sub(_two, _MY_WIFE.sub("we ", text))
     theirs, ours = _THEIRS
     said = theirs.sub(lambda found: f"{_whose(found[1])} has ", text)
     return ours.sub("the parents' bedroom has ", said)

@@ -58,9 +58,11 @@ def _one_of_several(item: Item) -> bool:
 
 
 def then_listed(out: list[Item], items: list[Item], k: int) -> bool:
-    """`a bedroom with a desk and a chair, then a kitchen`: a list goes on, no way does."""
+    """`a bedroom with a desk and a chair, then a kitchen`, `on the left the kitchen, then the bath`: a list, no way."""
     furnished = len(out) > 1 and is_mark(out[-1], ",") and out[-2].kind == "object"
-    return items[k].kind == "boundary" and items[k].value == "then" and furnished
+    told = [i.kind for i in clause(out) if i.kind in ("place", "side", "link", "reach", "front")]
+    placed = told[-1:] in (["place"], ["side"])
+    return items[k].kind == "boundary" and items[k].value == "then" and (furnished or placed)
 
 
 def none_between(out: list[Item], items: list[Item], k: int) -> bool:

@@ -47,6 +47,17 @@ _SAID = rules((
      r"has at least \g<n> doors"),
     (r"\b(?P<room>{room}) (?P<has>has|have|with) (?:exactly |precisely )?{many} doors{told_off}{end}",
      r"\g<room> \g<has> at least \g<n> doors"),
+    # "every room has two doors", "each room connects to two others"
+    (r"\b(?:every|each|all)(?: of the)? rooms? (?:{must} )?{has} (?:at least |exactly )?{many} doors{told_off}{end}",
+     r"every room has at least \g<n> doors"),
+    (r"\b(?:every|each|all)(?: of the)? rooms? (?:{must} (?:be )?|is |are |(?:{must} )?{has} (?:a )?doors? )?"
+     r"(?:directly )?(?:connects?|connected|leads?|linked|opens?|joined)?(?: directly)? ?(?:to|into|with) "
+     r"(?:at least )?{many} (?:others?|(?:other |different |neighbou?ring )?rooms|neighbou?rs){end}",
+     r"every room has at least \g<n> doors"),
+    # "the kitchen can be reached from two different rooms"
+    (r"\b(?P<of>the {kind}) (?:(?:{must} |is |are )(?:be )?)?(?:reached|entered|accessible|accessed|reachable) from "
+     r"(?:at least )?{many} (?:(?:different|other|separate) )?(?:rooms|sides|places|directions)\b",
+     r"\g<of> has at least \g<n> doors"),
     # "no more than two rooms may open off the living room"
     (r"\b(?P<limit>{least}|{most}|only|exactly) (?P<n>{number}) rooms? (?:{must} )?(?:be )?(?:opens?|leads?|have a "
      r"door|reached|entered|accessible)(?: directly)? (?:off|from|on ?to|in ?to|to) (?P<of>the {kind}){end}",

@@ -230,8 +230,8 @@ def _not_another(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-RULES = (*SPOKEN, related_first, last_two, another_alike, beside_a_thing, _arrow, heading, no_such_home, _comma,
-         which_has, it_has, there_is_in, off_it, set_off, same_area, another_door, goes_into, has_too, holds,
+RULES = (*SPOKEN, related_first, last_two, another_alike, beside_a_thing, _arrow, heading, no_such_home,
+         _comma, which_has, it_has, there_is_in, off_it, set_off, same_area, another_door, goes_into, has_too, holds,
          whose_value, taken_back, one_of_counted, another_of_counted, one_in_bedroom, is_one, for_each, for_the_others,
          none_ensuite, entered_only, only_behind, from_there, inside, has_inside, through_passage, between_the_two,
          you_go_in, no_door_at_all, to_each_other, which_is_the, we_do_not_need, again_without, none_off, nor_this,

@@ -46,12 +46,12 @@ def _limit(words: list[Lexeme], i: int, out: list[Lexeme]) -> tuple[list[Lexeme]
         return [words[i]], i + 1
     if before:
         del out[-before:]
-    denied = _denied(out) if sense else 0
+    denied = out[-back:] if sense and (back := _denied(out)) else []
     if denied:
-        del out[-denied:]
+        del out[-len(denied) :]
         sense = FLIPPED[sense]
     end += bool(behind)
-    text = " ".join(w.text for w in words[i:end])
+    text = " ".join(w.text for w in (*denied, *words[i:end]))
     return [Lexeme("limit", f"{sense or behind}:{span}", text, values=(value,))], end
 
 

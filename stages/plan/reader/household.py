@@ -231,7 +231,9 @@ class Household:
             if rest := rest_of(phrase, known):
                 return rest  # "three-bed flat: a main bedroom with ensuite, two further bedrooms"
             free = [e for e in known if e.area is None] if phrase.areas and phrase.type in self.totals else []
-            return free[:1] or self.add(phrase.type, int(phrase.count or 1))
+            found = free[:1] or self.add(phrase.type, int(phrase.count or 1))
+            found[0].picked = found[0].picked or (mentioned and phrase.type == "bedroom")  # "… next to our bedroom"
+            return found
         if phrase.count == len(known) > 1 and any(e.picked for e in known) and not (phrase.definite or phrase.another):
             return known  # "one bedroom has a balcony, the other a closet. Two bedrooms."
         plain = mentioned or phrase.count in (None, 1)

@@ -23,6 +23,12 @@ _OTHER = (r"(?:another|(?:the |an )?other|(?:a |the )?(?:second|third|fourth)|"
 _WHOLE = (r"(?: (?:in total|in all|altogether|all told|insgesamt|zusammen|en tout|au total|en total|total))?")
 _THEIR = {"eltern": "die eltern haben ein schlafzimmer", "parents": "les parents ont une chambre",
           "padres": "los padres tienen un dormitorio"}  # fmt: skip
+def _room_of(found: re.Match[str]) -> str:
+    """`our bedroom and the baby's are next to each other`: the baby's room, where one was named before."""
+    named = re.search(r"\b(?:bed ?rooms?|rooms?|ours|mine)\b", found.string[: found.start()])
+    return f"{found['who']}'s room" if named else found.group()
+
+
 _AWAKE = "".join(rf"(?<!{verb} )" for verb in "sleep sleeps schlafen dorment dormons duermen dormimos".split())
 _SAID = rules((
     # "three children who each want a room, and us. That makes four bedrooms."
@@ -37,6 +43,9 @@ _SAID = rules((
     (r"\bwe parents (?=have|get|need|want|sleep|take|in )", "the parents "),
     (r"\b(parents (?:have|get|need|want)) our own (?=(?:bed ?)?room)", r"\1 their own "),
     (r"\b(die|unsere[nr]?|meine[nr]?|den) beiden (?={kinder}\b)", r"\1 zwei "),
+    # "our bedroom and the baby's are next to each other", "ours 14 m², the baby's 9 m²"
+    (r"\b(?P<who>(?:the|our|my) (?:{child}|{elder}|guest))'s(?! and (?:the|my|our) [a-z]+'s? (?:bed ?)?rooms)"
+     r"(?= ?(?:[.,;:!?)]|$)| (?:and|is|are|should|must|next|near|has|with|on|at|\d))", _room_of),
     # "my brother and I share the third, where we have a bunk bed"
     (r"^(?P<before>(?=.*\bmy parents\b).*?)\bmy {sibling} and (?:i|me) (?=share|sleep)",
      r"\g<before>the two children "),
@@ -51,7 +60,7 @@ _SAID = rules((
      r"(?:an?|one|the same|einem|une|un|una) {bedroom}\b"
      r"[^.;]*{awake}\b(?:in|im|dans|en) (?:{other}))", ""),
 ), parent=_PARENT, sibling=_SIBLING, kinder=_CHILDREN, count=_COUNT, makes=_THAT_MAKES,
-   whole=_WHOLE, other=_OTHER, awake=_AWAKE)  # fmt: skip
+   whole=_WHOLE, other=_OTHER, awake=_AWAKE, child=CHILD, elder=ELDER)  # fmt: skip
 _OF_ALL = re.compile(r"\b(?:the|both|all|our|my|die|unsere|beide|les|nos|los|nuestr[oa]s|mis) "
                      r"(?:two |three |zwei |drei )?(?:children|kids|kinder|enfants|hijos|ninos)\b")  # fmt: skip
 

@@ -103,7 +103,9 @@ def _among_known(phrase: RoomPhrase, labels: set[Trait], free: list[Entity], tot
         and phrase.count is None
         and (phrase.text == "master" or bool(phrase.owned or phrase.areas or phrase.objects) or phrase.factor != 1.0)
     )
-    attribute = Trait.MASTER in labels and bare and len([e for e in free if e.counted]) > 1
+    counted = len([e for e in free if e.counted])
+    attribute = Trait.MASTER in labels and bare and counted > 1
+    attribute = attribute or (phrase.plural and phrase.count is None and counted > 2)  # "… kids' rooms of equal size"
     return total or phrase.quantifier == Det.THE or attribute or _counted(free)
 
 

@@ -39,6 +39,15 @@ def understood(prompt: str) -> None:
         raise _refused("")
 
 
+def language(prompt: str) -> str:
+    """`en`, `de`, `fr`, `es` or `zh`, whichever the prompt has most small words of; "" where it has none."""
+    if re.search("[\u4e00-\u9fff]", prompt):
+        return "zh"
+    texts = [t.text for t in tokenize(fold(prompt))]
+    counts = {name: sum(text in small for text in texts) for name, small in _small("read").items()}
+    return max(counts, key=lambda name: counts[name]) if any(counts.values()) else ""
+
+
 def _refused(name: str) -> BadInput:
     what = f"language not understood ({name}?)" if name else "language not understood"
     return BadInput(f"{what}; write the prompt in English, German, French, Spanish or Chinese")

@@ -88,6 +88,24 @@ _SAID = rules((
     (r"(\b(?:two|three|four|[2-4]) (?:bed|bath) ?rooms)[,;:.]? ?(?:and |with )?(?:the |their |its )?(?:sizes?|areas?"
      r") (?:is |are |of |being |: ?)?"
      r"(?=\d)", r"\1 of "),
+    # "one bed for two persons", "table for computer", "one near bedroom and other near door of entrance"
+    (r"\b(?:one |an? )?(?:big )?bed for two(?: persons?| people)?\b", "a double bed"),
+    (r"\b(?:one |an? )?bed for one(?: person)?\b", "a single bed"),
+    (r"\btable for (?:the |an? |my )?(?:computer|pc|laptop)\b", "desk"),
+    (r"\band other (?=(?:one )?(?:near|next|beside|off|in|on|at|close|from)\b)", "and the other "),
+    (r"\b(?:the )?door of (?:the )?entrance\b", "the entrance"),
+    # "from living room is possible to go in the kitchen and in the balcony, but in bedroom only from corridor"
+    (r"\bfrom (?:the )?({room}) (?:it )?is possible to (?:go|enter|come) (?:in|into|to|on) (?:the )?({room}) and "
+     r"(?:in|into|to|on) (?:the )?({room})\b", r"the \1 has a door to the \2 and a door to the \3"),
+    (r"\bfrom (?:the )?({room}) (?:it )?is possible to (?:go|enter|come) (?:in|into|to|on) (?:the )?({room})\b",
+     r"the \1 has a door to the \2"),
+    (r",? (?:but|and) (?:in|into|to) (?:the )?({room}) only from (?:the )?({room}){end}",
+     r". the \1 is reached only from the \2"),
+    # "flat for three person, each person must have own room"
+    (r"\b({several}) person\b(?![ -](?:flat|family|household|home|apartment|house|bed))", r"\1 persons"),
+    (r"\beach (?:person|people|one|of them|of us|of you)? ?(?:must |should |has to |have to |needs? to |will )?"
+     r"(?:have|has|get|gets|needs?|wants?) (?:his |her |their |an? |the )?own (?:bed ?)?rooms?\b",
+     "each has their own bedroom"),
 ), room=rf"(?:{ROOM}|room)", helped=_HELPED)  # fmt: skip
 
 

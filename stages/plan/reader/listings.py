@@ -40,6 +40,27 @@ def numbers_joined(words: list[Lexeme], i: int) -> tuple[list[float], list[str],
     return numbers, joints, j
 
 
+def paired_off(words: list[Lexeme]) -> list[Lexeme]:
+    """`living 22 kitchen 8 bath 4`: a comma behind each number of a list that has none, as they belong to what is
+    before them."""
+    out: list[Lexeme] = []
+    i = 0
+    while i < len(words):
+        end = i
+        while end + 1 < len(words) and words[end].kind == "room" and words[end + 1].kind == "number":
+            end += 2
+        begins = not out or out[-1].kind == "mark"
+        ends = end == len(words) or words[end].kind in ("mark", "conjunction")
+        if begins and ends and end - i > 4:
+            pairs = [words[k : k + 2] for k in range(i, end, 2)]
+            out += [w for pair in pairs for w in (*pair, Lexeme("mark", ",", ","))][:-1]
+            i = end
+        else:
+            out.append(words[i])
+            i += 1
+    return out
+
+
 def bare(words: list[Lexeme]) -> list[Lexeme]:
     """`38 m² in all, 12 for the bedroom`: once areas are spoken of, a number for a room is one."""
     if not any(w.kind == "area" for w in words):
@@ -54,6 +75,36 @@ def bare(words: list[Lexeme]) -> list[Lexeme]:
         if _said_to_be(out, i):
             out[i] = replace(out[i], kind="area", value="", values=(out[i].number,))
     return out
+
+
+BETWEEN = ("between", "entre", "zwischen")
+
+
+def bare_limits(words: list[Lexeme]) -> list[Lexeme]:
+    """`the bath at least 6 m² and the kitchen between 8 and 10`: once areas are spoken of, limits of rooms are some."""
+    if not any(w.kind == "area" for w in words):
+        return words
+    out: list[Lexeme] = []
+    i = 0
+    while i < len(words):
+        size = _limit_size(words, i, out) if out else 0
+        values = tuple(w.number for w in words[i : i + size] if w.kind == "number")
+        text = " ".join(w.text for w in words[i : i + size])
+        out.append(Lexeme("area", "", text, values=values) if size else words[i])
+        i += size or 1
+    return out
+
+
+def _limit_size(words: list[Lexeme], i: int, out: list[Lexeme]) -> int:
+    """How many words the number or the two numbers of a room's limit without a unit take at `i`; 0 where none stand."""
+    between = out[-1].text in BETWEEN
+    if not between and (out[-1].reading("bound") or out[-1]).kind != "bound":
+        return 0
+    values, joints, _ = numbers_joined(words[: i + 3], i) if words[i].text[0].isdigit() else ([], [], i)
+    size = 3 if between and len(values) == 2 and joints == ["and"] else 1 if values and not between else 0
+    ends = i + size >= len(words) or words[i + size].kind in ("mark", "conjunction", "boundary")
+    of_room = any(w.kind == "room" for w in out[-6:]) and not any(w.kind in ("furniture", "area") for w in out[-3:])
+    return size if ends and of_room and all(2 <= value <= 60 for value in values[: 1 + between]) else 0
 
 
 def sized_anew(words: list[Lexeme]) -> list[Lexeme]:

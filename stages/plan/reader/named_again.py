@@ -97,13 +97,17 @@ _SAID = rules((
      r"(?P<by>(?:beside|next to|close to|near|opposite) (?:it|them|that))(?= ?(?:[.,;]|$))",
      r"\g<room> \g<by> \g<with>"),
     (r",? and (?:the|a) usual (?={kind})", ", a "),
-    (r"\bright (?=(?:beside|opposite|behind|near|outside|by|at) )", ""),
+    (r"\bright (?=(?:beside|next|opposite|behind|near|outside|by|at) )", ""),
     (r"\b(?P<a>une? (?:\w+ )?(?P<of>{fr})),? (?:et |avec )?(?P<b>une? (?:\w+ )?{fr}) (?:juste |directement |tout "
      r")?a cote(?= ?(?:[.,;]|$))",
      r"\g<a>, \g<b> a cote de la \g<of>"),
     (r"\b(?P<a>una? (?P<of>{es})),? (?:y |con )?(?P<b>una? {es}) (?:justo |directamente |pegado )?al lado(?= "
      r"?(?:[.,;]|$))",
      r"\g<a>, \g<b> junto al \g<of>"),
+    # "les enfants partagent une chambre à côté", "das Kinderzimmer ist daneben", "the kids' room is next door"
+    (r"\b(?<!toilettes )(?<!cote )(?:(?:juste|tout) )?a cote{end}", "next to it"),
+    (r"\b(?:(?:direkt|gleich) )?daneben{end}", "next to it"), (r"\b(?:justo )?al lado{end}", "next to it"),
+    (r"\b(?:right )?next door{end}", "next to it"),
 ), guest=_GUEST,
    sized=_SIZED,
    side="norte|sur|este|oeste|noreste|noroeste|sureste|suroeste", least=_LEAST)  # fmt: skip

@@ -78,13 +78,24 @@ _BY_IT = re.compile(r"\b(?:to|beside|from|adjoining|opposite|near|facing) (?:it|
 _ENDS = re.compile(r"[.;](?!\d)|$")
 
 
+_WITH = re.compile(r" (?:with|mit|avec|con) (?:(?:an?|its|own|private|small|large|eine[mnr]?|eigene[mnr]?|kleine[mnr]?|"
+                   r"grosse[mnr]?|une?|una?|petite?|grande?|pequen[oa]) )*")  # fmt: skip
+"""What stands between a room and one that it has."""
+
+
+def _whose(text: str, named: list[re.Match[str]]) -> list[str]:
+    """The last room, or the one that has it: the living room of `a living room with a balcony, next to it`."""
+    has = len(named) > 1 and _WITH.fullmatch(text[named[-2].end() : named[-1].start()])
+    return [m.group() for m in (named[:-1] if has else named)][-1:]
+
+
 def _told_after(text: str) -> str:
     """Such places as clauses of their own behind their sentences: `. the store room is next to the kitchen`."""
     for pattern, room in _FRONTED if _BY_IT.search(text) else ():
         at = 0
         while (found := pattern.compiled.search(text, at) if not pattern.lacked_by(text) else None) is not None:
             at = found.end()
-            last = [m.group() for m in room.finditer(text[: found.start()])][-1:]
+            last = _whose(text, list(room.finditer(text[: found.start()])))
             if not last:
                 continue
             way = _WAYS.get(found["by"].split()[0], "next to")

@@ -3,67 +3,43 @@
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import about
-from apartgen.stages.plan.reader.advertised import advertised
-from apartgen.stages.plan.reader.again import once_more
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.articles import definite
-from apartgen.stages.plan.reader.as_typed import as_typed
-from apartgen.stages.plan.reader.asides_told import beside_told
+from apartgen.stages.plan.reader.asides import having_something
 from apartgen.stages.plan.reader.attachments import attach_owned
-from apartgen.stages.plan.reader.bedded import bedded
-from apartgen.stages.plan.reader.characters import in_characters
 from apartgen.stages.plan.reader.comparisons import compared_again, comparisons, summed
 from apartgen.stages.plan.reader.corrections import corrected
-from apartgen.stages.plan.reader.counted_doors import doors_counted
 from apartgen.stages.plan.reader.denied import all_denied
 from apartgen.stages.plan.reader.descriptions import described
 from apartgen.stages.plan.reader.distributed import each_beside_one
-from apartgen.stages.plan.reader.doorside import beside_entrance
 from apartgen.stages.plan.reader.elided import written_out
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
-from apartgen.stages.plan.reader.entered import entered
 from apartgen.stages.plan.reader.exactly import furnished, names_all, sleeps_only
-from apartgen.stages.plan.reader.instead_of import instead_of
+from apartgen.stages.plan.reader.in_between import at_table
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
-from apartgen.stages.plan.reader.inverted import inverted
-from apartgen.stages.plan.reader.itemized import itemized
-from apartgen.stages.plan.reader.learners import as_learnt
+from apartgen.stages.plan.reader.known_words import in_known_words
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
-from apartgen.stages.plan.reader.likewise import likewise
 from apartgen.stages.plan.reader.limited import limited, mutual, undoored
-from apartgen.stages.plan.reader.loosely import told_apart
-from apartgen.stages.plan.reader.meant_of import meant_of
 from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
-from apartgen.stages.plan.reader.named_again import named_again
-from apartgen.stages.plan.reader.only_ways import only_ways
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
-from apartgen.stages.plan.reader.parted import parted
 from apartgen.stages.plan.reader.people import housed
 from apartgen.stages.plan.reader.persons import for_people
 from apartgen.stages.plan.reader.phrases import Phraser
-from apartgen.stages.plan.reader.plainly import plainly
 from apartgen.stages.plan.reader.positions import positions, role_of
 from apartgen.stages.plan.reader.purposes import purposes
 from apartgen.stages.plan.reader.quantities import quantities
-from apartgen.stages.plan.reader.rather import rather
-from apartgen.stages.plan.reader.relations import at_table, place, relations
+from apartgen.stages.plan.reader.relations import place, relations
 from apartgen.stages.plan.reader.remarks import of_that_home
-from apartgen.stages.plan.reader.rephrased import rephrased
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
-from apartgen.stages.plan.reader.several_areas import of_several
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
-from apartgen.stages.plan.reader.straightened import straightened
-from apartgen.stages.plan.reader.tokens import fold, tokenize
-from apartgen.stages.plan.reader.turned import turned
-from apartgen.stages.plan.reader.unparted import unparted
+from apartgen.stages.plan.reader.tokens import tokenize
 from apartgen.stages.plan.reader.unread import can_be_met, limits
 from apartgen.stages.plan.reader.uses import for_whom, sharers, uses
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
-from apartgen.stages.plan.reader.ways import in_passing
 
 DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
 """Kinds that say nothing more once the whole prompt has been looked through."""
@@ -72,10 +48,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = unparted(named_again(told_apart(instead_of(beside_entrance(in_characters(as_typed(fold(prompt))))))))
-    told = inverted(advertised(itemized(only_ways(meant_of(told)))))
-    folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
-    folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
+    folded = in_known_words(prompt)
     people, text = housed(folded)
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)
@@ -189,7 +162,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
     summed(items)
     items = compared_again(items, before)
     items = [i for i in merge_ensuites(intended(of_that_home(items))) if i.kind != "stop"]
-    items = _closed(attach_areas(of_the_last(items, before), said))
+    items = having_something(_closed(attach_areas(of_the_last(items, before), said)))
     items = [
         i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))
     ]

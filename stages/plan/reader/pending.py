@@ -118,12 +118,16 @@ def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
     if i < len(words) and _bare_area(words, i, phrase):
         phrase.areas = (words[i].number,)
         return i + 1
+    if i < len(words) and _each_of(words, i, phrase):
+        phrase.areas = (words[i].number,)
+        return i + 1
     if _lettered(words, i, phrase):
         phrase.ordinals = ("abcd".index(words[i].text) + 1,)
         return i + 1
-    if phrase.plural and phrase.count is None and (end := _areas_end(words, i)) > i:
-        phrase.areas = tuple(w.number for w in words[i:end] if w.kind == "number")
-        return end
+    areas = tuple(w.number for w in words[i : _areas_end(words, i)] if w.kind == "number")
+    if phrase.plural and len(areas) > 1 and phrase.count in (None, len(areas)):
+        phrase.areas = areas
+        return _areas_end(words, i)
     numbers: list[int] = []
     j = i
     while j < len(words) and _is_ordinal(words, j):
@@ -171,8 +175,23 @@ def _bare_area(words: list[Lexeme], i: int, phrase: RoomPhrase) -> bool:
     counts_up = phrase.type in ("bedroom", "bathroom") and not (words[i].number > 3 and _areas_said(words, i))
     if _one_of(words, i):
         return False
-    most = 2.5 if words[i].number % 1 else 6 if counts_up else 3
+    small = phrase.type not in ("bedroom", "bathroom") or Trait.HALF in phrase.labels
+    most = 2.5 if words[i].number % 1 else 1 if small and _all_areas(words) else 6 if counts_up else 3
     return words[i].text[0].isdigit() and most < words[i].number <= 200 and not counts_next(words, i)
+
+
+def _each_of(words: list[Lexeme], i: int, phrase: RoomPhrase) -> bool:
+    """Whether the number is the area of each of several: `kitchen 8, 2 bedrooms 12, bath 4`."""
+    digits = words[i].kind == "number" and words[i].text[0].isdigit() and 6 < words[i].number <= 60
+    several = (phrase.count or 1) > 1 and not phrase.areas
+    return digits and several and not counts_next(words, i) and _areas_said(words, i)
+
+
+def _all_areas(words: list[Lexeme]) -> bool:
+    """Whether numbers behind rooms are areas, so that none of them counts: `living 25, kitchen 10, storage 2`."""
+    told = [(a, b.number) for a, b in zip(words, words[1:], strict=False) if a.kind == "room" and b.kind == "number"]
+    counts = any(n <= 3 and (a.plural or a.value in ("bedroom", "bathroom")) for a, n in told)
+    return sum(n > 6 for _, n in told) > 1 and not counts
 
 
 def _one_of(words: list[Lexeme], i: int) -> bool:

@@ -13,7 +13,7 @@ VERB = (r"(?:{need}|takes?|uses?|occup(?:y|ies)|(?:sleeps?|stays?|lives?|is|are|
 WHICH = (r"(?:(?P<size>small|smaller|smallest|little|tiny|big|bigger|biggest|large|larger|largest|main|guest|"
          r"single|double|middle|medium|kleine[sn]?|grosse[sn]?|petite|grande)(?:er|est)? |second |third |fourth |last "
          r"|other |first |same |"
-         r"zweite |dritte |andere |deuxieme |troisieme |autre |segunda |tercera |otra )?")  # fmt: skip
+         r"zweite |dritte |andere |deuxieme |troisieme |autre |segunda |tercera |otra |pequena )?")  # fmt: skip
 OBJECT = (rf"(?:(?:the|an?|his|her|their|one|my|our|this|das|ein|la|une?|una) )(?:own )?(?:(?P<many>{{numbers}}) "
     rf")?{WHICH}"
           r"(?P<noun>bed ?rooms?|rooms?|ones?|master(?: bed ?room)?|"
@@ -38,6 +38,13 @@ ABROAD = [(late(said), words) for said, words in (
     (r"\bdie (?:beiden|zwei) (?:kleinen|grossen|jungeren|alteren)(?= (?:teilen|schlafen|haben|bekommen))",
      "die zwei kinder"),
     (r"\b(?:der|die) (?:grosse|alteste|jungste|kleine)(?= (?:hat|schlaft|bekommt|braucht))", "das kind"),
+)]
+SLEEPERS = [(pattern(said), words) for said, words in (
+    # "die Eltern schlafen im großen Schlafzimmer, die Jungs im kleinen", "en el dormitorio grande … en el pequeño"
+    (r"(?P<they>{who}) (?:schlaf(?:t|en) )?im (?P<which>grosse|kleine|andere|zweite|dritte)n(?: (?:schlaf)?zimmer)?\b",
+     r"\g<they> schlafen in das \g<which> zimmer"),
+    (r"(?P<they>{who}) (?:duermen? )?en el (?:dormitorio |cuarto )?(?P<which>grand|pequen|otr|segund)[eo]\b",
+     lambda found: f"{found['they']} duermen en la {found['which']}{'ea'[found['which'] != 'grand']} habitacion"),
 )]
 TOLD = re.compile(
     r"\b(?:the|his|her|their|das|la) (?:[a-z]+ ){0,2}(?:rooms?|bed ?rooms?|ones?|(?:schlaf)?zimmer|chambre|"
@@ -65,7 +72,7 @@ OURS = (
 OURS_ELSEWHERE = re.compile(
     r"\bwe (?:take|get|have|sleep in|use) the (?:biggest|largest|third|last|other|remaining)(?= ?(?:[.,;]|$))"
     r"|\bwir (?:schlafen|wohnen|haben|nehmen|bekommen)(?: in| im)? (?:de[mnr] |das |die )?"
-    r"(?:dritten|vierten|zweiten|grossten|grosste|anderen|andere|letzten)(?: schlafzimmer| zimmer)?\b"
+    r"(?:dritten|vierten|zweiten|grossten|grossen|grosste|anderen|andere|letzten)(?: schlafzimmer| zimmer)?\b"
     r"|\bnous (?:avons|dormons dans|prenons|occupons|aurons) (?:la |une )?(?:plus grande|troisieme|quatrieme|deuxieme|"
     r"derniere|autre)(?: chambre)?\b"
     r"|\bje dors dans (?:la |une )?(?:plus grande|troisieme|quatrieme|deuxieme|derniere|autre)(?: chambre)?\b"
@@ -82,9 +89,13 @@ MINE = (
 SELF = "(?:takes?|gets?|has|have|needs?|wants?|uses?|sleeps? in|live in|stay in)"
 
 
+SLEEP_IN = re.compile(r"\b(?:(?:sleeps?|stays?|schlaf(?:t|en)) in|dor(?:t|ment) dans|duermen? en) (?:the|das|la) ")
+"""What several do in one room: `the boys sleep in the other one`."""
+
+
 def aged(text: str) -> str:
     """`the two little ones`, `the eldest` as children, where a text speaks of some."""
-    for said, words in ABROAD if not FAMILY.search(text) else []:
+    for said, words in (*ABROAD, *SLEEPERS) if not FAMILY.search(text) else []:
         text = said.sub(words, text)
     if not re.search(r"\b(?:children|kids?|sons?|daughters?|boys|girls|baby|toddler|twins)\b", text):
         return text
@@ -118,7 +129,7 @@ def possessed(text: str) -> tuple[str, list[str]]:
 
     def shared(match: re.Match[str]) -> str:
         found.append(match.group())
-        return rooms_for(match, 1)
+        return (counted_for(match) if counted else "") or rooms_for(match, 1)
 
     text = pattern("{who}{relative} (?:will |can |must |should )?(?:share|teilen|partagent|comparten)(?= ?(?:[,.;:]|$|"
         "and ))"
@@ -129,6 +140,7 @@ def possessed(text: str) -> tuple[str, list[str]]:
         text = pattern(f"{{who}}{{relative}}? (?:will |should |must |can )?share {OBJECT}").sub(
             lambda match: sized(shared(match), match["size"]), text)  # fmt: skip
         text = pattern(rf"(?<=[,;] )(?:and |while )?{{who}},? (?:in )?{OBJECT}").sub(room, text)
+        text = pattern(rf"(?:(?<= and )|(?<= und )|(?<= et )|(?<= y )){{who}} (?:in|dans|en) {OBJECT}").sub(room, text)
     return (text if found else said), found
 
 
@@ -156,7 +168,8 @@ def _takes(match: re.Match[str]) -> bool:
     own = re.search(r"\b(?:own|same|eigenes?|propre|propia)\b", match.group())
     single = kind_of(match) != "child" or not several(match) or number_of(match) == 1
     single = single and kind_of(match) != "spouse"
-    return bool(which) and not own and (single or bool(match["many"]) or match["noun"].endswith("s"))
+    share = SLEEP_IN.search(match.group())
+    return bool(which) and not own and bool(single or share or match["many"] or match["noun"].endswith("s"))
 
 
 def sized(rooms: str, size: str | None) -> str:

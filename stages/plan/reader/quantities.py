@@ -10,7 +10,16 @@ from apartgen.stages.plan.reader.denied import limits_denied, nowhere_less
 from apartgen.stages.plan.reader.dimensions import dimensions
 from apartgen.stages.plan.reader.extents import extents
 from apartgen.stages.plan.reader.lexeme import Lexeme
-from apartgen.stages.plan.reader.listings import bare, counted_behind, listing, made, numbers_joined, sized_anew
+from apartgen.stages.plan.reader.listings import (
+    bare,
+    bare_limits,
+    counted_behind,
+    listing,
+    made,
+    numbers_joined,
+    paired_off,
+    sized_anew,
+)
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
@@ -26,13 +35,13 @@ SAID = 1e-6
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    words = _of_home(that_hold(_numbers(words)))
+    words = _of_home(that_hold(_numbers(paired_off(words))))
     return counted_behind(_of_things(_quantities(words)))
 
 
 def _quantities(words: list[Lexeme]) -> list[Lexeme]:
     words = extents(nowhere_less(dimensions(words)))
-    words = limits_denied(_one_of(_areas(_than_that(_by_percent(_shares(words))))))
+    words = limits_denied(_one_of(_area_lists(bare_limits(_areas(_than_that(_by_percent(_shares(words))))))))
     return listing(sized_anew(bare(bounded(compared_within(words)))))
 
 
@@ -189,7 +198,7 @@ def _areas(words: list[Lexeme]) -> list[Lexeme]:
         area, end = _area(words, i)
         out.append(area or words[i])
         i = end if area else i + 1
-    return _area_lists(out)
+    return out
 
 
 def _area(words: list[Lexeme], i: int) -> tuple[Lexeme | None, int]:

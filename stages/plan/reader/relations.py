@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.denied import of_all
+from apartgen.stages.plan.reader.in_between import dines, ends_before, only_beside
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.objects import objects
 from apartgen.stages.plan.reader.openplan import chain
@@ -62,7 +63,7 @@ def relations(
             right = [r for r in (trail if trail and onward(items[p.at]) else topic or before) if r not in left]
             right = _not_alike(right, left, out, p.kind)
         if p.kind == Relation.BETWEEN and not right:
-            right = _rooms(items, 0, p.subject[0])[-1:] if left and left[-1].count in (None, 1) else []
+            right = ends_before(_rooms(items, 0, p.subject[0])) if left and left[-1].count in (None, 1) else []
             left = left[-1:] if right else []
         left = left if right else _of_one_another(items, p, left)
         if not right and len(left) > 1 and p.kind == Relation.OPEN:
@@ -239,19 +240,6 @@ def _worded(p: Predicate, words: str) -> str:
     return "next to" if p.kind == Relation.NEAR and not words.startswith(OPPOSITE) else "far from" if far else words
 
 
-def _dines(hubs: list[RoomPhrase], ends: list[RoomPhrase]) -> bool:
-    """`a dining room between the kitchen and the living room` is where one always is; no door is told from others."""
-    return [h.type for h in hubs[-1:]] == ["dining_room"] and {e.type for e in ends} == {"kitchen", "living_room"}
-
-
-def at_table(statements: list[Statement]) -> list[Statement]:
-    """A dining room between kitchen and living room is the way from one to the other where the kitchen has no other."""
-    denied = [{r.type for r in (*s.left, *s.right)} for s in statements if s.kind == Relation.NOT]
-    kind = Relation.DOOR if {"kitchen", "hallway"} in denied else None
-    told = [replace(s, kind=kind) if kind and s.kind == Relation.BETWEEN else s for s in statements]
-    return [s for s in told if s.kind != Relation.BETWEEN]
-
-
 def _everybody_uses(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> bool:
     """`they all use one bathroom`: it is nobody's own; nothing is said of doors."""
     whole = all(r.type == "" and r.quantifier == Det.ALL for r in left)
@@ -259,12 +247,6 @@ def _everybody_uses(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase
     for room in right if everybody else []:
         room.labels |= {Trait.SHARED} if room.type == "bathroom" else set()
     return everybody
-
-
-def _only_beside(hub: RoomPhrase, ends: list[RoomPhrase]) -> bool:
-    """`the kitchen between the living room and the bedroom`: neighbours, for no way leads through a bedroom."""
-    beds = any(e.type == "bedroom" for e in ends)
-    return hub.type == "bedroom" or (beds and hub.type in (*OPEN_TYPES, "study"))
 
 
 def _open_ones(right: list[RoomPhrase]) -> list[RoomPhrase]:
@@ -278,9 +260,9 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], wo
     kind = Relation.NOT if p.negated or p.kind == Relation.APART else p.kind
     if p.kind == Relation.BETWEEN:
         hubs = left if left and left[-1] not in right else []
-        if _dines(hubs, right):
+        if dines(hubs, right):
             return [Statement(Relation.BETWEEN, hubs, right)]  # until all is read: see `at_table`
-        if hubs and _only_beside(hubs[-1], right):
+        if hubs and only_beside(hubs[-1], right):
             return [Statement(Relation.NEAR, hubs[-1:], right, relation="next to")]
         if hubs:
             return [Statement(Relation.DOOR, hubs[-1:], right)] if right else []

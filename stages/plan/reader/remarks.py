@@ -25,14 +25,28 @@ def _in_home(items: list[Item], k: int) -> bool:
     return alone and any(i.kind == "copula" or i.value == "has" for i in after)
 
 
+def _before_relative(before: list[Item], verb: int) -> RoomPhrase | None:
+    """The bathroom of `the bathroom which is next to the kitchen has 6 m²`, with one comma or none."""
+    which = next((n for n in range(verb - 1, 0, -1) if before[n].kind == "relative"), 0)
+    told = any(i.kind == "copula" or i.value == "has" for i in before[verb:])
+    if not which or not told or any(is_mark(i, ".;:") for i in before[which:verb]):
+        return None
+    room = before[which - 1 - is_mark(before[which - 1], ",")].room
+    return room if room is not None and not room.areas and not room.headline else None
+
+
 def behind_remark(before: list[Item], area: Item) -> RoomPhrase | None:
     """The kitchen of `the kitchen, which is open to the living room, has 12 m²`."""
     verb = next((n + 1 for n in range(len(before) - 1, 1, -1) if before[n].kind not in VERBS), 0)
-    if not verb or not is_mark(before[verb - 1], ",") or area.kind != "area" or area.value:
+    if not verb or area.kind != "area" or area.value:
         return None
+    if (room := _before_relative(before, verb)) is not None or not is_mark(before[verb - 1], ","):
+        return room
     start = max((n + 1 for n in range(verb) if before[n].kind == "boundary" or is_mark(before[n], ".:")), default=0)
-    head, comma, remark = (before[start : verb - 1] + [Item("")] * 3)[:3]
-    room = head.room if is_mark(comma, ",") and remark.kind in REMARKS else None
+    head, comma, *clause = before[start : verb - 1] + [Item("")] * 3
+    remark = clause[clause[0].kind == "copula"]  # "la cuisine, qui est ouverte sur le salon, fait 12 m²"
+    ends = before[verb - 2].kind in ("copula", "link")  # "die Küche, die zum Wohnzimmer offen ist, hat 12 m²"
+    room = head.room if is_mark(comma, ",") and (remark.kind in REMARKS or ends) else None
     if room is None or room.areas or room.headline or any(is_mark(i, ",") for i in before[start + 2 : verb - 1]):
         return None
     told = any(i.kind == "copula" or i.value == "has" for i in before[verb:])

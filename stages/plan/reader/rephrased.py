@@ -178,6 +178,7 @@ _ORDERED = [(late(pattern), words) for pattern, words in (
      r"(parents|grandparents|guests|children|kids) (?:have|has|get|gets) (?:their|his|her) own(?= ?(?:[.,;]|$))",
      lambda found: f"{found[1]} the {_NAMED.get(found[2], 'guest')} bedroom has its own bathroom"),
     (r"\b(?:one|an?) (?:shared )?bath(?:room)? (?:for|per) every (?:two|2) (?:bed)?rooms?\b", _halved),
+    (r"\b(?:a|avec) sa propre (salle (?:de bains?|d'eau|de douche))\b", r"avec \1 privative"),
     (r"\b(?:a|avec) (?:son|sa) propre\b", "avec un"),
     # "a corridor with a bedroom on each side"
     (r"\ba (bed ?room|balcony|study|bath ?room) (?=(?:on|at|to) (?:each|either|both) sides?\b(?! of))", r"two \1s "),

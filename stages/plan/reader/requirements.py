@@ -10,6 +10,7 @@ from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.statements import Asked, Said, Statement
 from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation
+from apartgen.stages.plan.reader.worded_in import in_its_language
 
 FAR = ("away from", "far from")
 MUTUAL = ("adjacent", "apart", "opposite", "no_door")
@@ -37,7 +38,7 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
             found += [] if row in found or again in found else [row]
     found += _short(said, home, ids)
     return [
-        Requirement(id=f"asked_{n}", kind=kind, of=a, to=b, value=value, text=text)
+        Requirement(id=f"asked_{n}", kind=kind, of=a, to=b, value=value, text=in_its_language(text, said.prompt))
         for n, (kind, a, b, value, text) in enumerate(found, 1)
     ]
 
@@ -71,7 +72,8 @@ def _meant(wish: Asked, home: Household, said: Said) -> list[Entity]:
     every = next((phrase for phrase in wish.of if phrase.type == "any"), None)
     if every is None:
         return entities(wish.of, home)
-    kinds = HABITABLE if wish.kind in ("at_least", "at_most") else (*HABITABLE, "kitchen", "bathroom")
+    sized = wish.kind in ("at_least", "at_most") and wish.to != "doors"
+    kinds = HABITABLE if sized else (*HABITABLE, "kitchen", "bathroom")
     excluded = entities(every.excluded, home)
     excluded += _elsewhere(wish, said, home) if every.quantifier == Det.OTHER else []
     if every.excluded and wish.kind in ("at_least", "at_most"):

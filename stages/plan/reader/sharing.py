@@ -12,7 +12,36 @@ _SISTER = (r"(?:(?:little|big|older|younger|elder|twin|kleine|grosse|petite?|gra
            r"schwester|frere|soeur|herman[oa])")  # fmt: skip
 _ALONE = re.compile(r"\bmy (?:sister|brother|twin) and i share (?:an?|one|the) (?:bed ?)?room(?: together)?\b")
 _PARENTS = re.compile(r"\b(?:parents|mum|mom|dad|mother|father|grand\w+)\b")
+_THEIR_ROOMS = re.compile(r"\b(?:kids|children|child|boys|girls|sons|daughters)'?s? (?:bed)?rooms?\b|\bnurser|"
+                          r"kinderzimmer|\bchambres? d(?:es |')enfant|"
+                          r"\b(?:habitacion|dormitorio|cuarto)(?:es)? (?:infantil|de los)|"
+                          r"\bbed ?room for|儿童房")  # fmt: skip
+
+
+_THEIR_PARENTS = re.compile(r"\b(?:family|couple|parents?|familie|paar|famille|familia|pareja) "
+                            r"(?:of|with|mit|avec|de|con) ")  # fmt: skip
+
+
+def _theirs(found: re.Match[str]) -> str:
+    """`the children share the other bathroom`: it is that of their rooms, where these are not told of elsewhere."""
+    known = _THEIR_ROOMS.search(found.string) or _THEIR_PARENTS.search(found.string)
+    return found.group() if known else "the kids rooms share "
+
+
 _SAID = rules((
+    # "the kids should have a bathroom near their rooms"
+    (r"\b(?:the|our|my) (?:two |three )?(?:kids|children) (?:will |can |should |must )?(?:share|use|have|get|need) "
+     r"(?P<bath>(?:an?|one|their own) bath ?room) (?:near|next to|close to|beside) their (?:bed ?)?rooms\b",
+     r"\g<bath> next to the kids rooms"),
+    # "the children use the other bathroom", "los niños comparten el otro baño"
+    (r"\b(?:the|our|my) (?:two |three )?(?:kids|children) (?:will |can |should |must )?(?:share|use|have|get) "
+     r"(?=(?:the (?:other|second|family|main|hall)|another|one|an?|their own) (?:separate )?bath)", _theirs),
+    (r"\b(?:die|unsere) (?:zwei |drei )?kinder (?:teilen sich|benutzen|nutzen|haben|bekommen) "
+     r"(?=(?:das andere|das zweite|ein anderes|ein zweites|ein) bad)", _theirs),
+    (r"\b(?:les|nos|mes) (?:deux |trois )?enfants (?:se partagent|partagent|utilisent|ont) "
+     r"(?=(?:l'autre|la deuxieme|la seconde|une autre|une deuxieme|une) salle d)", _theirs),
+    (r"\b(?:los|nuestros|mis) (?:dos |tres )?(?:ninos|hijos) (?:comparten|usan|tienen) "
+     r"(?=(?:el otro|el segundo|otro|un segundo|un) bano)", _theirs),
     # "my partner, our twin boys and I"
     (r"\b(?P<we>my (?:wife|husband|partner|spouse|girlfriend|boyfriend)),? (?P<them>our [^.;,()]{3,40}?|our [^.;,()"
      r"]{3,40}? \([^)]*\)),? "

@@ -36,9 +36,15 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     known = home.of("bedroom")
     named = [e for e in known if not e.vague]  # "the grandmother's room" is one of theirs
     named = named or (known if {Trait.MASTER, Trait.KIDS} <= {label for e in known for label in e.labels} else [])
-    others = len(known) == 1 and bool({Trait.KIDS, Trait.GUEST} & known[0].labels)
-    if others and not (home.totals or said.main_rooms or known[0].counted):
-        home.add("bedroom")  # of those whose child or guest sleeps there
+    people, counted = said.about.people, any(e.counted for e in known)
+    beside = {Trait.STAFF, Trait.GUEST}
+    beside |= {Trait.RELATIVE} if people and people.pairs and not people.singles else set()
+    apart = bool(known) and all(beside & e.labels for e in known)
+    child = bool(known) and all(Trait.KIDS in e.labels for e in known)
+    child = child and ((len(known) == 1 and not counted) or (people is not None and people.pairs > 0))
+    if (child or (apart and not counted)) and not (home.totals or said.main_rooms):
+        many = bedrooms(people, said.total_area, rng) if apart and people else 1
+        home.add("bedroom", max(many, 1))  # of those whose child, guest or maid sleeps there
     unsaid = not (named or home.totals or said.main_rooms or said.dwelling == "studio")
     if not unsaid or any(kind == "bedroom" for kind, _ in home.banned):
         return

@@ -1,0 +1,123 @@
+"""Places, neighbours, sizes, rooms in one and rooms not wanted, as five languages say them every day."""
+
+from apartgen.stages.plan.reader.pieces import reworded, rules
+
+_WAY_IN_DE = r"(?:eingang|eingangstur|wohnungstur|haustur|tur)"
+_SIDE = r"(?:norte|sur|este|oeste|noreste|noroeste|sureste|suroeste)"
+_ONE = r"(?:one|a|an|the same|a single|one single|one big|one large)"
+_LIVED_DE = r"(?:kuche|wohnzimmer|esszimmer|essbereich|wohnraum)"
+
+_PLACES = (
+    # "con orientación norte", "avec exposition sud", "mit Nordausrichtung"
+    (r"\bcon (?:una )?orientacion (?:al |hacia el )?(?=(?:{side})\b)", "orientada al "),
+    (r"\b(?:avec )?(?:une )?(?:exposition|orientation) (?:au |vers le )?(?=(?:nord|sud|est|ouest)\b)", "exposee "),
+    # "the study faces the kitchen", "liegt der Küche gegenüber", "书房在厨房对面"
+    (r"\b(?P<a>the {kind}) (?:{must} )?faces? (?P<b>the (?!{outside}){kind}){end}", r"\g<a> is opposite \g<b>"),
+    (r"\b(?:liegt|ist|befindet sich) (?:direkt )?(?:der|dem|den) (?P<of>{de}) gegenuber\b",
+     r"liegt gegenuber der \g<of>"),
+    (r"在(?P<of>{zh})的?(?:正)?对面", r" opposite \g<of>"),
+    # "right at the entrance", "just inside the front door", "an der Eingangstür", "a la entrada", "在门口"
+    (r"\b(?:right |directly |just )?(?:at|inside) the (?:entrance|front door|entry door|entrance door){end}",
+     "near the entrance"),
+    (r"\b(?:should be |is |must be )?the first room (?:that )?(?:you|one|we|i) (?:come to|enter|see|reach)\b",
+     "is near the entrance"),
+    (r"\b(?:direkt )?(?:am|an der|an dem|gleich am) (?={way_in}{end})", "beim "),
+    (r"\bbeim (?:eingangstur|wohnungstur|haustur|tur)\b", "beim eingang"),
+    (r"(?<!hall )(?<!salle )\ba l'entree(?: de l'appartement)?{end}", "pres de l'entree"),
+    (r"\b(?:a cote|pres) de la porte(?: d'entree)?{end}", "pres de l'entree"),
+    (r"(?<!pegado )(?<!junto )\b(?:a|en) la entrada(?: del piso| de la casa)?{end}", "cerca de la entrada"),
+    (r"\b(?:junto a|al lado de|cerca de) la puerta(?: de entrada| principal)?{end}", "cerca de la entrada"),
+    (r"在(?:大门口?|门口|入口处?|进门处)(?:旁边|附近)?(?=[,.;]|$)", "靠近入口"),
+    # "the study and the kitchen should be apart"
+    (r"\b(?P<a>the {kind}) and (?P<b>the {kind}) (?P<be>{must} (?:be|lie)|are) (?:kept )?(?:well |far )?apart"
+     r"(?: from each other)?{end}", r"\g<a> \g<be> far from \g<b>"),
+    # "jouxte la cuisine", "contre la cuisine", "bei der Küche", "grenzt an die Küche"
+    (r"\bjouxte(?:nt)? (?=l[ae] )", "est a cote de "), (r"\bcontre (?=l[ae] {fr})", "a cote de "),
+    (r"\bbei (?:der|dem) (?={de})", "neben der "),
+    (r"\bgrenzt (?:direkt |unmittelbar )?an (?:die|das|den|der|dem) (?={de})", "liegt neben der "),
+)  # fmt: skip
+_OPEN = (
+    # "the kitchen is part of the living room", "an American kitchen", "kitchen and living room share one space"
+    (r"\bkitchen (?:is|should be|must be|will be) (?:a )?part of the (?=living|lounge|sitting|dining|main)",
+     "kitchen is open to the "),
+    (r"\bamerican(?:[ -]style)? kitchen\b", "open kitchen"),
+    (r"\b(?P<a>(?:the )?{lived}) and (?P<b>(?:the )?{lived}) (?:{must} )?(?:share|form|make|are|be) {one} (?:open )?"
+     r"(?:space|room|area){end}", r"\g<a> and \g<b> in one"),
+    (r"\b(?:one |an? )?(?P<size>(?:large |big |small )?)(?:open |single |combined )*living and (?:kitchen|cooking) "
+     r"(?:area|room|space)\b", r"\g<size>kitchen/living room"),
+    (r"\bmit integrierter kuche\b", "mit offener kuche"),
+    (r"\b(?P<a>{lived_de}) und (?P<b>{lived_de}) (?:sind |bilden |liegen |sollen |als )?(?:in )?"
+     r"(?:ein|einen|einem|einem einzigen|einem gemeinsamen) (?:raum|zimmer)(?: sein| bilden)?\b",
+     r"\g<a> und \g<b> sind offen"),
+    (r"\bcuisine integree (?:au|dans le) (?=salon|sejour)", "cuisine ouverte sur le "),
+    (r"\bcuisine integree\b", "cuisine ouverte"),
+    (r"(?P<a>厨房|客厅|餐厅)(?:要)?对(?P<b>厨房|客厅|餐厅)(?:是)?(?:开放|敞开)", r"\g<a>和\g<b>相通"),
+    # "Küche mit Tür"
+    (r"\bkuche mit (?:einer )?(?:eigenen )?tur\b(?! (?:zu|in))", "separate kuche"),
+)  # fmt: skip
+_NOT = (
+    # "but not a balcony", "a balcony isn't important", "auf einen Balkon können wir verzichten"
+    (r"\bbut not (?:an? )(?=(?:{kind}){end})", "but no "),
+    (r"\b(?:an? |the )?(?P<of>{kind}) (?:is not|isn't|are not) (?:so |that |very |really )?(?:important|essential|"
+     r"a must|necessary|required){end}", r"no \g<of>"),
+    (r"\bauf (?:eine[nm]?|de[nm]|die|das) (?P<of>{de}) (?:konnen|kann|mochten|wollen|wurden) (?:wir|ich|man) "
+     r"(?:gerne? |auch )?verzichten\b", r"kein \g<of>"),
+    (r"\b(?:wir|ich) verzichten? (?:gerne? )?auf (?:eine[nm]?|de[nm]|die|das) (?P<of>{de})", r"kein \g<of>"),
+    (r"\b(?:eine? |der |die |das )?(?P<of>{de}) (?:ist |sind )?nicht (?:notig|notwendig|wichtig|erforderlich){end}",
+     r"kein \g<of>"),
+    (r"\b(?:on|nous|je) n'(?:a|avons|ai) pas besoin (?:de |d')(?:une? )?", "pas de "),
+    (r"\b(?:je|nous|on) ne (?:veux|voulons|veut|souhaite|souhaitons|desire) pas (?=de |d')", "pas "),
+)  # fmt: skip
+_OF = (
+    # "25 square meters of living room and 10 of kitchen", "25平方米的客厅", "客厅面积25平方米"
+    (r"\b(?P<n>{amount}) ?{unit} of (?P<of>{kind})\b", r"\g<of> of \g<n> m2"),
+    (r"(?<= m2) and (?P<n>{amount}) of (?P<of>{kind})\b", r" and \g<of> of \g<n> m2"),
+    (r"(?P<n>\d+(?:\.\d+)?) ?(?:平方米|平米|平方|平|m2)的?(?P<of>大?(?:客厅|厨房|餐厅|主卧室?|次卧室?|"
+     r"书房|卫生间|浴室|阳台|儿童房|客房|储藏室|玄关))(?!\d)", r"\g<of>\g<n>平方米"),
+    (r"(?P<of>{zh})的?面积(?:为|是|约|大约|大概|要)?(?=\d)", r"\g<of>"),
+    # "a bathroom attached", "the other bathroom is for everybody", "la principale avec sa salle de bain"
+    (r"\ban? (?P<of>bath ?room|shower room) attached\b(?! to)", "an ensuite bathroom"),
+    (r"\bbath(?P<s> ?)room is for (?:everybody|everyone|all(?: of us)?|the whole family){end}",
+     r"bath\g<s>room is shared"),
+    (r"(?<!chambre )\bla principale (?=avec|a |ayant|dispose|possede)", "la chambre principale "),
+    (r"自己的(?=卫生间|浴室)", "独立"),
+)  # fmt: skip
+_THINGS = (
+    # "dans le salon il y a un canapé", "four chairs" in Chinese
+    (r"\b(?:dans|en) (?P<of>(?:le|la|chaque|notre|ma) {fr}) ?[,:]? ?(?:il y (?:a|aura|aurait) |il faut |"
+     r"se trouve(?:nt)? |je (?:veux|voudrais) |nous (?:voulons|voudrions) )"
+     r"(?=(?:une?|des|deux|trois|quatre|cinq|six|\d)\b)", r"\g<of> avec "),
+    (r"(\b(?:salon|sejour|cuisine)\b avec (?:[^.;]*?(?:,| et) )?)un bureau\b", r"\1une table de travail"),
+    (r"(\b(?:salon|sejour)\b avec (?:[^.;]*?(?:,| et) )?)une bibliotheque\b(?! murale)", r"\1une bibliotheque murale"),
+    (r"(?P<n>[一两二三四五六七八\d])(?:把|张|盏|台|架|组|套)"
+     r"(?=椅子|餐椅|桌子|餐桌|沙发|床|书桌|台灯|钢琴)", r"\g<n>个"),
+)  # fmt: skip
+_LIMITS = (
+    # "9+ m²", "ab 9 m²", "bis 5 m²", "9平米以上", "5平米以内"
+    (r"\b(\d{1,3}) ?\+ ?(?=m2\b|sqm|sq\.? ?m|square)", r"at least \1 "),
+    (r"\bab (?=\d+(?:[.,]\d+)? ?(?:m2|qm|quadratmeter))", "mindestens "),
+    (r"(?<!\d )(?<!m2 )(?<!qm )\bbis (?:zu )?(?=\d+(?:[.,]\d+)? ?(?:m2|qm|quadratmeter))", "hochstens "),
+    (r"(?P<n>\d+(?:\.\d+)? ?(?:平方米|平米|平|m2))(?:以上|起步?)", r"至少\g<n>"),
+    (r"(?P<n>\d+(?:\.\d+)? ?(?:平方米|平米|平|m2))(?:以内|以下|之内)", r"最多\g<n>"),
+    # "3 Zi. Wohnung", "trois chambres identiques", "三个一样大的卧室"
+    (r"\b([1-6]) ?-?zi\b\.?(?![a-z])", r"\1 zimmer"),
+    (r"\bidentiques\b", "de meme taille"), (r"\bidentic[oa]s\b", "iguales"),
+    (r"(?P<n>[一两二三四五六1-6])[个间](?:一样大|同样大小?|大小(?:一样|相同))的?(?=卧室|房间|睡房)",
+     r" equal sized \g<n>个"),
+    (r"(?<=卧室|房间)(?:都|要|大小|面积)*(?:一样大|一样|相同|相等)(?=[,.;]|$)", " of equal size"),
+    # "a balcony in front of the living room", "el baño no debe dar a la cocina", "卫生间的门不要开向厨房"
+    (r"(?P<of>{outside}) (?:in front of|outside|before) (?=the {kind})", r"\g<of> off "),
+    (r"\b(?:no (?:debe|puede|tiene que|deberia) (?:dar|abrir(?:se)?)|sin (?:una )?puerta|no (?:tiene|tenga) (?:una )?"
+     r"puerta|no debe tener (?:una )?puerta) (?=al? |hacia )", "no da "),
+    (r"\b(?P<of>(?:das|die|der) {de}) ohne (?:eine )?tur (?=zu[rm] )", r"\g<of> hat keine tur "),
+    (r"(?P<a>{zh})的?门(?:不要|不能|不可以?|别)(?:开向|开在|朝向?|通向|对着)(?P<b>{zh})",
+     r" no door between \g<a> and \g<b>"),
+)  # fmt: skip
+_SAID = rules((*_PLACES, *_OPEN, *_NOT, *_OF, *_THINGS, *_LIMITS), side=_SIDE, way_in=_WAY_IN_DE, one=_ONE,
+              lived_de=_LIVED_DE,
+              lived=r"(?:living room|kitchen|dining room|lounge|dining area|living area)")  # fmt: skip
+
+
+def every_day(text: str) -> str:
+    """A folded text with such clauses in words that the rules know."""
+    return reworded(text, _SAID)

@@ -1,0 +1,45 @@
+"""A prompt in words that the rules of rooms know: its clauses reworded one class of them after another."""
+
+from apartgen.stages.plan.reader.advertised import advertised
+from apartgen.stages.plan.reader.again import once_more
+from apartgen.stages.plan.reader.as_typed import as_typed
+from apartgen.stages.plan.reader.asides_told import beside_told
+from apartgen.stages.plan.reader.bedded import bedded
+from apartgen.stages.plan.reader.characters import in_characters
+from apartgen.stages.plan.reader.counted_doors import doors_counted
+from apartgen.stages.plan.reader.doorside import beside_entrance
+from apartgen.stages.plan.reader.entered import entered
+from apartgen.stages.plan.reader.everyday import every_day
+from apartgen.stages.plan.reader.for_whom import for_whom_said
+from apartgen.stages.plan.reader.homely import at_home, without_false_friends
+from apartgen.stages.plan.reader.instead_of import instead_of
+from apartgen.stages.plan.reader.inverted import inverted
+from apartgen.stages.plan.reader.itemized import itemized
+from apartgen.stages.plan.reader.learners import as_learnt
+from apartgen.stages.plan.reader.likewise import likewise
+from apartgen.stages.plan.reader.loosely import told_apart
+from apartgen.stages.plan.reader.meant_of import meant_of
+from apartgen.stages.plan.reader.named_again import named_again
+from apartgen.stages.plan.reader.one_room import in_one_room
+from apartgen.stages.plan.reader.only_ways import only_ways
+from apartgen.stages.plan.reader.parted import parted
+from apartgen.stages.plan.reader.plainly import plainly
+from apartgen.stages.plan.reader.rather import rather
+from apartgen.stages.plan.reader.rephrased import rephrased
+from apartgen.stages.plan.reader.several_areas import of_several
+from apartgen.stages.plan.reader.shared_baths import shared_by_others
+from apartgen.stages.plan.reader.straightened import straightened
+from apartgen.stages.plan.reader.tokens import fold
+from apartgen.stages.plan.reader.turned import turned
+from apartgen.stages.plan.reader.unparted import unparted
+from apartgen.stages.plan.reader.ways import in_passing
+
+
+def in_known_words(prompt: str) -> str:
+    """A prompt folded, with its clauses in such words."""
+    told = every_day(at_home(for_whom_said(as_typed(without_false_friends(fold(prompt))))))
+    told = beside_entrance(in_characters(in_one_room(told)))
+    told = unparted(named_again(told_apart(instead_of(shared_by_others(told)))))
+    told = inverted(advertised(itemized(only_ways(meant_of(told)))))
+    folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
+    return rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
