@@ -15,8 +15,8 @@ from shapely.geometry import Polygon
 from apartgen.schemas.plan import Envelope, Side
 
 Array = NDArray[np.float64]
-STEP = 2.2
-"""A wall that slants further is straightened in steps, m."""
+STEP = 4.0
+"""A wall that slants further is straightened in steps, m; lower ones would be too low for doors and windows beside."""
 LOST = 0.06
 """Share of its area by which an outline may change when its walls are straightened."""
 SIDES: tuple[Side, ...] = ("south", "east", "north", "west")

@@ -18,7 +18,7 @@ from apartgen.stages.plan.slicing import L_WALL, R_COLUMNS, Ints, Problem, Scrat
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
-from apartgen.stages.plan.wished import ADJACENT
+from apartgen.stages.plan.wished import ADJACENT, SERVING
 from apartgen.stages.plan.wishes import wishes
 
 WET, WHIM, MEALS = 2, 3, 24
@@ -26,6 +26,8 @@ WET, WHIM, MEALS = 2, 3, 24
 COOK = 40.0
 """What a metre counts that lacks of the wall between a kitchen without a door to where one eats and that room, while
 nothing is given up."""
+SERVED = 12.0
+"""What a metre counts that the doors of such a kitchen and of that room lie farther apart than they need along a hall."""
 CUT_OFF = 0.05
 """Share of draws in which such a kitchen need not lie there."""
 ODD = (0.6, 2.0)
@@ -119,6 +121,7 @@ def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Pr
     rooms, wanted = program.rooms, areas(program)
     index = {r.id: i for i, r in enumerate(rooms)}
     joined = {r for pair in program.open_links for r in pair}
+    strict = slack == Slack()
     arm = ARM if program.envelope.outline is None else 0.0
     spec = [
         _spec(room, wanted[room.id], many, room.id in joined, whim.fronts.get(room.id, 0.0), slack, arm)
@@ -133,7 +136,8 @@ def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Pr
         edges=np.zeros((0, 6)),
         wishes=np.vstack([
             wishes(program) * (1.0, 1.0, 1.0, 1.0, 1.0, slack.heed),
-            *((ADJACENT, kitchen, living, 0.0, 0.0, COOK * (slack == Slack())) for kitchen, living in whim.beside),
+            *((ADJACENT, kitchen, living, 0.0, 0.0, COOK * strict) for kitchen, living in whim.beside),
+            *((SERVING, *pair, *doors, SERVED * strict) for pair in whim.beside for doors in _off_one(program, *pair)),
         ]),
         weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),
         limits=np.array([1.0, 1.0, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),
@@ -179,6 +183,15 @@ def _kitchens(program: Program) -> list[tuple[int, int]]:
     lone = [r for r in types if types[r] == "kitchen" and not set(tables) & set(near[r])]
     found = ((kitchen, [t for t in tables if frozenset((kitchen, t)) not in apart]) for kitchen in lone)
     return [(index[kitchen], index[free[0]]) for kitchen, free in found if free]
+
+
+def _off_one(program: Program, a: int, b: int) -> list[tuple[int, int]]:
+    """The links by which two rooms open off one other, if they do; by their numbers."""
+    near = neighbours(program)
+    number = {frozenset(pair): i for i, pair in enumerate(links(program))}
+    one, other = program.rooms[a].id, program.rooms[b].id
+    both = (room for room in near[one] if room in near[other])
+    return [(number[frozenset((one, room))], number[frozenset((other, room))]) for room in both][:1]
 
 
 def _pairs(program: Program, kind: str, other: str, counts: int) -> list[Pair]:

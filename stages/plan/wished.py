@@ -19,9 +19,9 @@ from apartgen.stages.plan.slicing import (
     inner,
 )
 
-PLACE, CENTRE, BESIDE, NEAR_ENTRANCE, FAR_FROM_ENTRANCE, ADJACENT, APART, LENGTHS, LONG, WIDE = range(10)
-REACH, WALL = 1.5, 1.0
-"""Distance from the entrance that is near, and wall that neighbours share, m."""
+PLACE, CENTRE, BESIDE, NEAR_ENTRANCE, FAR_FROM_ENTRANCE, ADJACENT, APART, LENGTHS, LONG, WIDE, SERVING = range(11)
+REACH, WALL, CARRIED = 1.5, 1.0, 1.5
+"""Distance from the entrance that is near, wall that neighbours share, and what walls with doors are apart at most, m."""
 ASIDE, MIDDLE = 0.15, 0.2
 """Half extents of the home that a room's middle lies off its middle at a side, and at most in the centre."""
 
@@ -90,6 +90,14 @@ def _lengths(p: Problem, room: Floats, a: float, b: float) -> float:
 
 
 @inner
+def _served(a: Floats, b: Floats) -> float:
+    # least distance between two walls of links, Manhattan
+    x = abs(a[1] - b[1]) - 0.5 * (a[3] + b[3])
+    y = abs(a[2] - b[2]) - 0.5 * (a[0] * (a[3] < EPS) + b[0] * (b[3] < EPS))
+    return float(max(0.0, x) + max(0.0, y))
+
+
+@inner
 def _limited(p: Problem, room: Floats, long: bool, at_most: float, at_least: float) -> float:
     # metres that a room's length or width is beyond a limit
     extent = max(room[R_X1] - room[R_X0], room[R_Y1] - room[R_Y0]) - p.limits[L_WALL]
@@ -124,6 +132,8 @@ def wished(p: Problem, z: Scratch, box: Floats) -> float:
             lack = min(_shared(p, z, r, o), 2.0)
         elif kind == LENGTHS:
             lack = _lengths(p, room, x, y)
+        elif kind == SERVING:
+            lack = max(0.0, _served(z.wall[int(x)], z.wall[int(y)]) - CARRIED)
         else:
             lack = _limited(p, room, kind == LONG, x, y)
         total += wish[5] * lack

@@ -123,6 +123,15 @@ def test_outlines_of_many_shapes_are_filled(shape: str, seed: int) -> None:
     assert outline.difference(filled).area < 0.01
 
 
+@pytest.mark.parametrize("name, ring", [
+    ("one_bedroom", [(0, 0), (5.4, 0), (8.1, 2.2), (8.1, 7.2), (0, 7.2)]),
+    ("two_bedroom", [(0, 0), (10.9, 0), (10.9, 4.1), (7, 6.8), (0, 6.8)]),
+])  # fmt: skip
+def test_a_corner_cut_off_far_aslant_leaves_room_for_a_usual_flat(name: str, ring: list[tuple[float, float]]) -> None:
+    plan = build(within(archetypes()[name], outline=ring), PlanConfig(processes=1), np.random.default_rng(1))
+    assert validate(plan) == []
+
+
 def test_rooms_take_shares_of_an_outline_that_is_larger_than_they_are() -> None:
     program, outline = archetypes()["two_bedroom"], Polygon(SHAPES["L"])
     plan = build(within(program, outline=SHAPES["L"]), PlanConfig(processes=1), np.random.default_rng(0))

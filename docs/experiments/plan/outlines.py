@@ -1,4 +1,4 @@
-"""Outlines of six shapes, filled with flats that their areas are usual for: `python outlines.py 50`, so many a shape.
+"""Outlines of seven shapes, filled with flats that their areas are usual for: `python outlines.py 50`, so many a shape.
 
 Prints for each shape how many were filled without a fault, how many gave something up, and CPU seconds of a plan.
 """
@@ -10,7 +10,7 @@ from time import process_time
 
 import numpy as np
 from shapely import get_coordinates
-from shapely.affinity import rotate
+from shapely.affinity import rotate, scale
 from shapely.geometry import Polygon, box
 
 from apartgen import planning
@@ -51,6 +51,14 @@ def skewed(rng: Rng) -> Polygon:
     return Polygon([(0, 0), (w, 0), (w - a, h), (0, h - b)])
 
 
+def cut_off(rng: Rng) -> Polygon:
+    """A rectangle that lacks a corner aslant, of up to .45 of its sides."""
+    w, h = rng.uniform((6.5, 5.5), (12.5, 10.5))
+    (a, b), (x, y) = rng.uniform(1, (0.45 * w, 0.45 * h)), rng.integers(0, 2, 2)
+    corner = Polygon([(-1, -1), (a + a / b, -1), (-1, b + b / a)])
+    return box(0, 0, w, h) - scale(corner, 1 - 2 * x, 1 - 2 * y, origin=(w / 2, h / 2))
+
+
 def deep(rng: Rng) -> Polygon:
     """6 x 15 m or a little otherwise, for a flat between two neighbours."""
     w, h = rng.uniform((5.8, 14), (6.6, 15.5))
@@ -64,8 +72,8 @@ def askew(rng: Rng) -> Polygon:
 
 
 SHAPES: dict[str, tuple[Callable[[Rng], Polygon], list[Side]]] = {
-    "L": (ell, []), "U": (u, []), "T": (tee, []), "skewed": (skewed, []), "6 x 15": (deep, ["east", "west"]),
-    "turned": (askew, []),
+    "L": (ell, []), "U": (u, []), "T": (tee, []), "skewed": (skewed, []),
+    "corner cut off": (cut_off, []), "6 x 15": (deep, ["east", "west"]), "turned": (askew, []),
 }  # fmt: skip
 
 
