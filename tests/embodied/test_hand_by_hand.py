@@ -1,5 +1,6 @@
 """Where the hand points, how it draws back and when servos are told what: by hand and by scipy's rotations."""
 
+from collections import Counter
 from types import SimpleNamespace
 
 import numpy as np
@@ -8,6 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from apartgen.schemas.retrieve import Joint
 from apartgen.stages.embodied.interact import aim, near, parts, timing, ways
+from apartgen.stages.embodied.interact.chains import Chains
 from apartgen.stages.embodied.interact.robot import ARM, HAND, LIFT, posture, postures, tucked
 from apartgen.stages.things import solids
 from apartgen.stages.things.asset import Link
@@ -181,3 +183,10 @@ def test_the_cup_is_set_on_the_lid_and_not_as_high_as_what_stands_behind():
     top, front = parts._cups(Link("lid", [], [], 1.0, joint=lid), boxes, handle, np.eye(4), np.arange(2))
     assert top.point == pytest.approx([0.3 - parts.LIP, 0.1, 0.5]) and top.out.tolist() == [0, 0, 1]
     assert front.point == pytest.approx(handle) and front.out.tolist() == [1, 0, 0]
+
+
+@pytest.mark.parametrize("met, free", [(-1, True), (0, False), (7, False)])
+def test_whatever_geom_the_arm_meets_counts(met, free):
+    """They are numbered from 0 on; -1 is none."""
+    known = SimpleNamespace(probe=SimpleNamespace(hit=lambda *_: met), part=None, values=[0.5], met=Counter())
+    assert Chains.meets_nothing(known, np.zeros(13), 0, None) is free and known.met == {met: 1}

@@ -164,6 +164,14 @@ def test_what_appears_at_about_the_same_time_is_not_asked_for(between, glimpse, 
     assert bool(found) == wanted
 
 
+@pytest.mark.parametrize("many", [0, 1, 3, 4])
+def test_of_fewer_than_four_things_no_order_is_asked(many):
+    names = ["sofa_1", "double_bed_9", "toilet_15", "plant_6"][:many]
+    rows = [{k + 1: 200 if frame >= k * 10 else 0 for k in range(many)} for frame in range(60)]
+    found = qa.run(sample.home(), drawn_film(rows, names), QaConfig(kind=["first_seen"]), seeds.drawn(1, "qa"))
+    assert bool(found) == (many == 4)
+
+
 @pytest.mark.parametrize("taken_for", ["corner_sofa", "armchair"])
 def test_names_that_could_mean_another_are_not_asked_for(taken_for):
     """An armchair is drawn as a sofa is, and may be taken for one."""

@@ -1,11 +1,14 @@
 """What stands in for an object opens where it stands."""
 
+from types import SimpleNamespace
+
 import handmade as h
 import numpy as np
 import pytest
 
 from apartgen.schemas.retrieve import AssetKey
 from apartgen.stages import retrieve
+from apartgen.stages.walkable import kinds
 from apartgen.stages.walkable.config import WalkableConfig
 from apartgen.stages.walkable.kinds import stand_ins
 from apartgen.stages.walkable.leaves import building
@@ -28,3 +31,16 @@ def test_no_shower_for_a_bath_opens_into_a_door_that_stands_open(x: float) -> No
     for shower in showers:
         assert not {fault.by for fault in check.blocked([shower]) if fault.owner == "bath"}, shower.asset
     assert showers or x < 6
+
+
+@pytest.mark.parametrize("styles, wanted", [(["b", "a", "c", "a"], ["a", "a", "b", "c"]), ([], ["nearest"])])
+def test_designs_of_its_own_style_come_first_and_where_there_are_none_the_nearest(styles, wanted, monkeypatch) -> None:
+    monkeypatch.setattr(kinds, "look", lambda *_: ("a", "oak"))
+    library = SimpleNamespace(alternatives=lambda *_: map(styled, styles), nearest=lambda *_: styled("nearest"))
+    bath = h.thing("bath", 5.0, 0.36, room=h.BEDROOM)
+    found = kinds._assets(SimpleNamespace(library=library), bath, "shower", np.array([0.9, 0.9, 2.0]))
+    assert [asset.style for asset in found] == wanted
+
+
+def styled(name: str) -> SimpleNamespace:
+    return SimpleNamespace(style=name)

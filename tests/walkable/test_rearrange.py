@@ -1,14 +1,17 @@
 """A bathroom in which no single piece can move for the way is planned anew, with all that it had."""
 
+from types import SimpleNamespace
+
 import boxes_library as fake
 import handmade as h
 import numpy as np
 import pytest
 from crowded import of_kind
+from shapely.geometry import box
 
 from apartgen.schemas.retrieve import Joint
 from apartgen.stages.metrics import collision, doorways, outside
-from apartgen.stages.walkable import WalkableConfig, repair, run
+from apartgen.stages.walkable import WalkableConfig, rearrange, repair, run
 
 
 def tight(depth, narrower):
@@ -63,3 +66,17 @@ def test_the_mirror_comes_along_with_its_basin():
     turn = new["vanity"].yaw - old["vanity"].yaw
     c, s = np.cos(turn), np.sin(turn)
     assert between(new) == pytest.approx(np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ between(old))
+
+
+@pytest.mark.parametrize("many, area, found", [
+    (1, 4.0, False), (2, 4.0, True), (rearrange.FIRM, 4.0, True), (rearrange.FIRM + 1, 4.0, False),
+    (2, rearrange.SMALL, True), (2, rearrange.SMALL + 0.1, False)])
+def test_only_small_rooms_of_two_to_five_needed_pieces_are_planned_anew(many, area, found, monkeypatch):
+    monkeypatch.setattr(rearrange, "Question", lambda *_: None)
+    monkeypatch.setattr(rearrange, "rooms", lambda *_: {h.BEDROOM})
+    monkeypatch.setattr(rearrange.importance, "Ranks", lambda *_: SimpleNamespace(of=lambda o: 2))
+    monkeypatch.setattr(rearrange, "_arrangements", lambda question, gone, some, cases: iter([some]))
+    things = [h.thing("toilet", 4.5 + k, 1.0, 0, h.BEDROOM, id=f"t{k}") for k in range(many)]
+    site = SimpleNamespace(floors={h.BEDROOM: box(0, 0, area, 1)}, config=WalkableConfig(drop=False))
+    plans = list(rearrange.rearranged(site, SimpleNamespace(scene=things), SimpleNamespace(target=None)))
+    assert bool(plans) == found and all(len(some) == min(3, many) for some in plans)

@@ -1,5 +1,8 @@
 """The corpus file: what is written is what training reads."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +20,20 @@ from apartgen.stages.things.categories import CATEGORIES
 @pytest.fixture(scope="module")
 def homes() -> list[Layout]:
     return list(single_rooms.homes(None, seed=3, rooms=8))
+
+
+@pytest.mark.parametrize("rooms, alone", [(None, True), (single_rooms.MANY, True), (single_rooms.MANY + 1, False)])
+def test_only_many_rooms_are_made_on_all_cores_and_without_a_number_they_have_no_end(
+    rooms: int | None, alone: bool, homes: list[Layout], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    @contextmanager
+    def spread(processes: int) -> Iterator[Any]:
+        assert (processes == 1) == alone
+        yield map
+
+    monkeypatch.setattr(single_rooms, "spreading", spread)
+    monkeypatch.setattr("os.cpu_count", lambda: 4)
+    assert list(islice(single_rooms.homes(seed=3, rooms=rooms), 3)) == homes[:3]
 
 
 def test_training_reads_every_object_where_it_stands(homes: list[Layout], tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import torch
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.layout.datasets import single_rooms
@@ -42,6 +43,18 @@ def test_the_last_rooms_are_never_learned_from(rooms: Path, tmp_path: Path, monk
     learned = {room.boxes.tobytes() for room in seen}
     assert learned and learned <= {room.boxes.tobytes() for room in every[:-4]}
     assert [len(row) for row in record["losses"]] == [3, 3] and np.isfinite(record["losses"]).all()
+
+
+@pytest.mark.parametrize("held, loss", [(1, 1.0), (4, 4.0), (5, (4 * 4 + 1 * 1) / 5)])
+def test_every_room_held_out_is_looked_at_once_and_counts_alike(
+    held: int, loss: float, rooms: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Four at a time, where each of a step loses as much as there are in it."""
+    some, looked = [room for room in corpus.read(rooms) if room.n][:held], []
+    monkeypatch.setattr(train, "asked", lambda batch, *_: looked.extend(batch) or batch)
+    monkeypatch.setattr(train, "step_losses", lambda model, batch, device: {"it": torch.tensor(float(len(batch)))})
+    assert train._looked_at(torch.nn.Linear(1, 1), some, settings(rooms)) == [loss]
+    assert sorted(map(id, looked)) == sorted(map(id, some))
 
 
 def test_without_any_the_record_has_one_loss(rooms: Path, tmp_path: Path) -> None:

@@ -3,6 +3,8 @@
 import pytest
 
 from apartgen.stages.plan.reader import read
+from apartgen.stages.plan.reader.lexeme import Lexeme
+from apartgen.stages.plan.reader.quantities import _joined
 
 
 @pytest.mark.parametrize("text, total", [
@@ -11,6 +13,14 @@ from apartgen.stages.plan.reader import read
 ])
 def test_hundreds_and_what_follows_are_one_number(text: str, total: float) -> None:
     assert sum(room.area or 0 for room in read(text).rooms) == pytest.approx(total, abs=0.1)
+
+
+@pytest.mark.parametrize("tens", range(20, 100, 10))
+def test_after_tens_only_what_is_less_than_ten_is_of_the_same_number(tens: int) -> None:
+    """`twenty-one` to `ninety-nine`; `twenty ten` are two."""
+    for more in range(1, 20):
+        first, second = (Lexeme("number", "so", "so", values=(float(n),)) for n in (tens, more))
+        assert _joined(first, "", second) == _joined(first, "-", second) == (tens + more if more < 10 else None)
 
 
 @pytest.mark.parametrize("text, number", [
