@@ -10,6 +10,7 @@ from apartgen.schemas.plan import Plan, Program
 from apartgen.stages.layout.config import N_MAX
 from apartgen.stages.things.categories import TABLE, by_word, unknown
 from apartgen.stages.use import kinds
+from apartgen.stages.use.household import parents_in
 
 TWO_BEDS = 12.0
 """Floor of a bedroom where two single beds stand rather than a bunk bed, m²."""
@@ -26,13 +27,14 @@ def of_room(program: Program, room: str) -> Counter[str]:
 
 def of_children(program: Program, room: str, area: float) -> dict[str, int]:
     """Beds of a room in which children are known to sleep, one for each: single ones where two fit beside one another
-    (`area`, m²), else bunk beds, of which there are none in the other bedrooms; nothing where a bed is asked for."""
-    known = {asked.id: asked.children for asked in program.rooms}
+    (`area`, m²), else bunk beds, of which there are none in the other bedrooms; one bed for two in the only bedroom
+    that is not theirs; nothing where a bed is asked for."""
+    known = {asked.id: asked.children for asked in program.rooms }
     if not any(known.values()) or not kinds.BEDS.isdisjoint(of_room(program, room)):
         return {}
     many = known.get(room)
     if not many:
-        return {"bunk_bed": 0}
+        return {"bunk_bed": 0, **({"double_bed": 1, "single_bed": 0} if room == parents_in(program) else {})}
     bunks = many // 2 if area < TWO_BEDS or many > 2 else 0
     return {name: 0 for name in kinds.BEDS} | {"bunk_bed": bunks, "single_bed": many - 2 * bunks}
 

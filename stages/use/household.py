@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from apartgen.schemas.plan import Plan, Room
+from apartgen.schemas.plan import Plan, Program, Room
 
 DOUBLE = 9.6
 """A bedroom of so much floor sleeps two, m²."""
@@ -17,15 +17,21 @@ behind which one cooks."""
 
 
 def sleepers(plan: Plan) -> int | None:
-    """Who sleeps in the home: two in a large bedroom, one in a small one, in children's rooms they; None for a room by
-    itself."""
+    """Who sleeps in the home: two in a large bedroom and in that of parents, one in a small one, in children's rooms
+    they; None for a room by itself."""
     if len(plan.rooms) == 1 and plan.rooms[0].base != "living_room":
         return None
     beds = [room for room in plan.rooms if room.base == "bedroom"]
     if not beds:
         return None if len(plan.rooms) == 1 else 1 + (_area(_largest(plan)) >= STUDIO)
-    known = {room.id: room.children for room in plan.program.rooms}
-    return sum(known.get(room.id) or 1 + (_area(room) >= DOUBLE) for room in beds)
+    known, parents = {room.id: room.children for room in plan.program.rooms}, parents_in(plan.program)
+    return sum(known.get(room.id) or 1 + (_area(room) >= DOUBLE or room.id == parents) for room in beds)
+
+
+def parents_in(program: Program) -> str | None:
+    """The one bedroom that is not children's; None where there are several, or nothing is known of children."""
+    others = [room.id for room in program.rooms if room.base == "bedroom" and not room.children]
+    return others[0] if len(others) == 1 and any(room.children for room in program.rooms) else None
 
 
 def eats_in(plan: Plan) -> str | None:

@@ -55,7 +55,12 @@ def test_children_have_a_bed_each_and_grown_ups_no_bunk_bed(many: int, area: flo
     program = asking().program.model_copy(update={"rooms": [*asking().program.rooms, own]})
     found = wishes.of_children(program, "bedroom_2", area)
     assert {name: n for name, n in found.items() if n} == beds and found["double_bed"] == 0
-    assert wishes.of_children(program, h.BEDROOM, area) == {"bunk_bed": 0}
+    beds_of = {room.id for room in asking().program.rooms if room.base == "bedroom"}
+    assert beds_of == {h.BEDROOM}
+    assert wishes.of_children(program, h.BEDROOM, area) == {"bunk_bed": 0, "double_bed": 1, "single_bed": 0}
+    third = own.model_copy(update={"id": "bedroom_3", "children": None})
+    more = program.model_copy(update={"rooms": [*program.rooms, third]})
+    assert wishes.of_children(more, h.BEDROOM, area) == {"bunk_bed": 0}, "whose are the two?"
     assert wishes.of_children(asking([("double_bed", 1)]).program, h.BEDROOM, area) == {}
     assert wishes.of_children(asking().program, h.BEDROOM, area) == {}
 
