@@ -36,7 +36,9 @@ HEAD, SILL = 0.35, 0.3
 MOVED = kinds.MOVED - {"armchair"} | kinds.CHAIRS | kinds.SMALL_SEATS
 """What one pushes aside; what is slender only to draw a chair back. Nobody moves an armchair for either."""
 CASES = kinds.CASES | {"dressing_table"}
-SPARED = CASES - kinds.WARDROBES | {"bench", "armchair"}
+PLANT = "plant"
+"""What stands in the way of one half of a sliding wardrobe, too."""
+SPARED = CASES - kinds.WARDROBES | {"bench", "armchair", PLANT}
 """What is rather left out than put where it takes such floor."""
 RADIATOR, WARM = "radiator", 0.12
 """What hangs so low that two who share a bed walk past it, and no bed stands so near, m."""
@@ -68,16 +70,18 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
             found |= _any_of(stand_in(zones, upright(there[solid]), SHALLOW), len(boxes))
     used = [k for k, o in enumerate(others) if (o in USED or _own(names[k])) and _bars(kind, o)]
     if used:
-        theirs = _joined([_zones_of(names[k], there[k], space) for k in used])
+        share = 1.0 if kind == PLANT else SHARE
+        theirs = _joined([_zones_of(names[k], there[k], space, share) for k in used])
         found |= stand_in(upright(boxes), theirs, SHALLOW)
     return found
 
 
-def _zones_of(name: str, box: Array, space: Space) -> Boxes:
+def _zones_of(name: str, box: Array, space: Space, share: float = SHARE) -> Boxes:
     """The floor that the use of one thing takes that stands there; what was found once is kept."""
-    what = "zones", name, box.tobytes()
+    what = "zones", name, share, box.tobytes()
     found: Boxes | None = space.known.get(what)
-    return found or space.known.setdefault(what, _zones(kinds.basic(name), box[None], space, own=_own(name)))
+    return found or space.known.setdefault(
+        what, _zones(kinds.basic(name), box[None], space, own=_own(name), share=share))
 
 
 @cache
@@ -140,9 +144,9 @@ def _bars(kind: str, used: str) -> bool:
     return hot or kind in kinds.ON_THE_FLOOR and not moved and not own
 
 
-def _zones(kind: str, boxes: Array, space: Space, back: float = BACK, own: float = 0.0) -> Boxes:
-    """The floor that the use of each takes, or who passes it; of a seat so much at its `back`, before others as much as
-    is their `own`, m."""
+def _zones(kind: str, boxes: Array, space: Space, back: float = BACK, own: float = 0.0, share: float = SHARE) -> Boxes:
+    """The floor that the use of each takes, or who passes it, in a `share` of its width; of a seat so much at its
+    `back`, before others as much as is their `own`, m."""
     if kind in kinds.DOUBLE:
         return _about_bed(boxes)
     far = np.full(len(boxes), -back if kind in SEATS else own or (BEFORE if kind in CASES else 0.0))
@@ -152,7 +156,7 @@ def _zones(kind: str, boxes: Array, space: Space, back: float = BACK, own: float
     away = np.where(far < 0, -1, 1) * boxes[:, 3] / 2 + far / 2
     c, s = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
     center = np.column_stack([boxes[:, 0] + c * away, boxes[:, 1] + s * away, np.full(len(boxes), (LOW + HIGH) / 2)])
-    size = np.column_stack([np.abs(far), SHARE * boxes[:, 4], np.full(len(boxes), HIGH - LOW)])
+    size = np.column_stack([np.abs(far), share * boxes[:, 4], np.full(len(boxes), HIGH - LOW)])
     return Boxes(np.asarray(center, float), np.asarray(size, float), np.asarray(boxes[:, 2], float))
 
 

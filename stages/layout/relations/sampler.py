@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
+from apartgen.stages.layout.relations import across, ahead, corners, exchange, followers, known, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.astray import anywhere, somewhere
 from apartgen.stages.layout.relations.beds import narrower
@@ -43,8 +43,6 @@ GOOD = dict.fromkeys(kinds.TABLES, 1.0) | dict.fromkeys(kinds.DOUBLE, LITTLE)
 """A place among candidates is that good before others are looked for."""
 LAMBDA = 0.5
 """λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
-KNOWN = 0.02
-"""Weight of all places together that are known without the model, whose candidates weigh 1."""
 Floats = NDArray[np.floating[Any]]
 
 
@@ -174,9 +172,11 @@ class Sampler:
             return np.asarray(boxes[self._draw(weight)])
         rest = Ahead(there, ahead.needed(left, there.names), self.room.speaker.shell)
         boxes, weight = merged(boxes, weight)
-        boxes, weight = self._continued(there, name, boxes, weight)
+        if self.places == "model":
+            boxes, weight = known.further(there, name, boxes, weight, self.room.speaker.shell)
         price = there.prices(name, boxes, loose, strict)
-        weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
+        shift = np.exp(-LAMBDA * (price + across.price(there, name, boxes, left)))
+        weight = np.where(price < BROKEN, weight * shift, 0.0)
         second, best, near = None, -1.0, SAME
         for _ in range(looks):
             if weight.sum() <= 0:
@@ -225,18 +225,6 @@ class Sampler:
             if (found := self._one_of(p.furniture, other, places, left)) is not None:
                 return other, found
         return None
-
-    def _continued(self, there: Furniture, name: str, boxes: Array, weight: Floats) -> tuple[Array, Floats]:
-        """Candidates with those that continue a run, hang over something or follow it, which count little beside the
-        model's."""
-        more = np.concatenate([
-            runs.further(name, boxes, there.names, there.boxes, self.room.speaker.shell),
-            hung.over(name, boxes, there.names, there.boxes),
-            followers.known(name, boxes, there.names, there.boxes),
-            handy.places(name, boxes, there.names, there.boxes, there.space)])
-        if self.places != "model" or not len(more):
-            return boxes, weight
-        return np.concatenate([boxes, more]), np.append(weight, np.full(len(more), KNOWN * weight.sum() / len(more)))
 
     def _draw(self, weight: Floats) -> int:
         total = weight.cumsum()

@@ -149,6 +149,16 @@ def test_what_one_can_do_without_is_rather_left_out_than_put_before_a_wardrobe()
     assert there.prices("chest", chest[None])[0] >= BROKEN
 
 
+def test_no_plant_stands_before_either_half_of_a_sliding_wardrobe() -> None:
+    """Before its end, where a chest no wider would leave four fifths of it free, nor is one put there at last."""
+    there = room()
+    there.add("sliding_wardrobe", box((0.6, 1.8, 2.1), -1.695, -1.0))
+    end, beside = (box((0.3, 0.3, 1.0), -2 + 0.61 + 0.3, y) for y in (-0.12, 0.1))
+    assert taken("plant", end, ("sliding_wardrobe", there.boxes[0])) and there.prices("plant", end[None])[0] >= BROKEN
+    assert not taken("shelving", end, ("sliding_wardrobe", there.boxes[0]))
+    assert there.prices("plant", beside[None])[0] < BROKEN
+
+
 @pytest.mark.parametrize(("kind", "wide", "there", "out"), [
     ("entrance", 1.25, (), True), ("entrance", 1.6, (), False), ("door", 1.25, (), False),
     ("entrance", 1.25, ("single_bed",), False),

@@ -1,0 +1,58 @@
+"""A television straight across from its sofa: places of either, and what others cost."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.relations.company import FAR, Seen
+from apartgen.stages.layout.relations.distances import GLARE, ahead
+from apartgen.stages.layout.relations.places import OFF, about, along, likeliest
+from apartgen.stages.layout.relations.standing import Furniture
+from apartgen.stages.layout.relations.tokens import Array, upright
+from apartgen.stages.use import kinds
+
+SCREEN, SIZE, TURN = "tv_stand", (0.4, 1.2, 0.5), float(np.pi)
+"""What a television stands on, the least of it, m, and how it is turned from who watches."""
+ASIDES = (0.0, 0.15, -0.15)
+"""So far beside the sofa's axis it may be, too, m."""
+FREE, MOST, EACH = 0.2, 1.0, 20.0
+"""Nobody minds so much, m; what each metre more costs, up to that."""
+ACROSS = -0.9
+"""What looks back at one does within this cosine."""
+
+
+def places(name: str, boxes: Array, names: Sequence[str], there: Array, space: Space) -> Array:
+    """Places (m, 7) for what a television stands on at the wall across, in the likeliest size of candidates (n, 7)."""
+    sofas = _sofas(names, there) if kinds.basic(name) == SCREEN else boxes[:0]
+    if not len(sofas):
+        return boxes[:0]
+    deep, wide, high = likeliest(boxes)
+    far = sofas[:, 3] / 2 + ahead(upright(sofas), space) - OFF - deep / 2
+    return np.concatenate([about(sofa, [(float(x), aside, TURN) for aside in ASIDES], (deep, wide, high))
+                           for sofa, x in zip(sofas, far, strict=True)])
+
+
+def price(there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array:
+    """Of candidates (n, 7) for it, or for the sofa before it is put there: what they are beside the sofa's axis, (n,).
+    """
+    aside = np.zeros(len(boxes))
+    if kinds.basic(name) == SCREEN and len(sofas := _sofas(there.names, there.boxes)):
+        aside = np.abs(Seen(boxes, sofas[:1]).to[:, 0, 1])
+    elif kinds.basic(name) in kinds.SOFAS and SCREEN in map(kinds.basic, left) and len(shown := _shown(there)):
+        seen = Seen(boxes, shown)
+        facing = np.cos(boxes[:, None, 2] - shown[None, :, 2]) < ACROSS
+        aside = np.where(facing & (seen.x > 0) & (seen.gap < FAR), np.abs(seen.y), np.inf).min(1)
+        aside[~np.isfinite(aside)] = 0.0
+    return np.asarray(EACH * np.clip(aside - FREE, 0.0, MOST - FREE))
+
+
+def _shown(there: Furniture) -> Array:
+    """Places (m, 7) of a screen at walls, rather not before windows."""
+    found = along(there.space, SIZE)
+    cost = there.prices(SCREEN, found, strict=True)
+    return np.asarray(found[cost < GLARE])
+
+
+def _sofas(names: Sequence[str], there: Array) -> Array:
+    return there[[kinds.basic(o) in kinds.SOFAS for o in names]] if len(names) else there
