@@ -204,7 +204,7 @@ class Sampler:
         tables = [some for some in others(name, boxes, there.space, left)
                   if some[0] == name or not self.room.asked[name]]
         beds = narrower(name, boxes, there.space)
-        for other, places in [first, *tables, *beds] if strict else [first, *beds] if beds else tables[-1:]:
+        for other, places in [first, *tables] if strict else [first, *beds] if beds else tables[-1:]:
             if (found := self._one_of(there, other, places, left, strict)) is not None:
                 return other, found
         return None
