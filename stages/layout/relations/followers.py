@@ -82,9 +82,9 @@ TRIED = 3
 
 def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
     """Of as many followers as are `left` to come and have places about a leader (7,), which share finds one, a chair
-    that can't be drawn back there, or one of two round a corner, being half of one; for a chair, how good it is for
-    the other one of two; a quarter of that where what comes later on finds none, a wardrobe, the television, the table;
-    half of it where one of two in a bed gets out over the other."""
+    that can't be drawn back, or one of two round a corner, being half of one; for a chair, how good it is for the other
+    one of two; a quarter of that where a wardrobe, the television or the table, which come later on, find none; half of
+    it where one of two in a bed gets out over the other."""
     kind, group = kinds.basic(name), [(name, box)]
     if kind == CHAIR:
         return facing.company(there, name, box, left)
