@@ -137,8 +137,7 @@ def _table_left(there: Furniture, group: list[tuple[str, Array]], left: Sequence
     before, best, ends = there, 1.0, 2 * (chairs > FEW)
     for o, box in group:
         there = there.besides(o, box)
-    depth, width, height = TABLE[name].size
-    wide = max(ELBOW * -(-(chairs - ends) // 2), TABLE[name].min[1])
+    wide, (depth, _, height) = max(ELBOW * -(-(chairs - ends) // 2), TABLE[name].min[1]), TABLE[name].size
     for share, drawn in zip((1.0, 0.5), DRAWN, strict=True):
         places = all_over(there.space, (depth + 2 * drawn, wide + ends * drawn, height))
         if (there.prices(name, places, strict=True) < BROKEN).any():
