@@ -82,9 +82,9 @@ TRIED = 3
 
 def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
     """Of as many followers as are `left` to come and have places about a leader (7,), which share finds one, a chair
-    that can't be drawn back there, or one of two round a corner, being half of one; for a chair, how good it is for
-    the other one of two; a quarter of that where what comes later on finds none, a wardrobe, the television, the table;
-    half of it where one of two in a bed gets out over the other."""
+    that can't be drawn back, or one of two round a corner, being half of one; for a chair, how good it is for the other
+    one of two; a quarter of that where a wardrobe, the television or the table, which come later on, find none; half of
+    it where one of two in a bed gets out over the other."""
     kind, group = kinds.basic(name), [(name, box)]
     if kind == CHAIR:
         return facing.company(there, name, box, left)
@@ -137,8 +137,7 @@ def _table_left(there: Furniture, group: list[tuple[str, Array]], left: Sequence
     before, best, ends = there, 1.0, 2 * (chairs > FEW)
     for o, box in group:
         there = there.besides(o, box)
-    depth, width, height = TABLE[name].size
-    wide = max(ELBOW * -(-(chairs - ends) // 2), TABLE[name].min[1])
+    wide, (depth, _, height) = max(ELBOW * -(-(chairs - ends) // 2), TABLE[name].min[1]), TABLE[name].size
     for share, drawn in zip((1.0, 0.5), DRAWN, strict=True):
         places = all_over(there.space, (depth + 2 * drawn, wide + ends * drawn, height))
         if (there.prices(name, places, strict=True) < BROKEN).any():
