@@ -1,11 +1,29 @@
 """Places, neighbours, sizes, rooms in one and rooms not wanted, as five languages say them every day."""
 
-from apartgen.stages.plan.reader.pieces import reworded, rules
+import re
+
+from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import KIND, reworded, rules
 
 _WAY_IN_DE = r"(?:eingang|eingangstur|wohnungstur|haustur|tur)"
 _SIDE = r"(?:norte|sur|este|oeste|noreste|noroeste|sureste|suroeste)"
 _ONE = r"(?:one|a|an|the same|a single|one single|one big|one large)"
 _LIVED_DE = r"(?:kuche|wohnzimmer|esszimmer|essbereich|wohnraum)"
+
+_OF_IT = late(rf"({KIND})[^.;]*?\b(?:left|right|north|south|east|west) of it\b")
+
+
+def _behind(found: re.Match[str]) -> str:
+    """`the lounge in the middle, a study left of it, the kitchen behind it`: beside the room that all are told from."""
+    hub = _OF_IT.search(found.string[: found.start()])
+    return f"next to the {hub[1]}" if hub else f"next to {found.group().split()[-1]}"
+
+
+def _not_through(found: re.Match[str]) -> str:
+    """`reach the bath from the bedrooms without crossing the lounge`: the bath has no door to it."""
+    more = f". {found['home']}" if found["home"] else ""
+    return f"{found['of']} must not open into {found['by']}{more}"
+
 
 _PLACES = (
     # "con orientación norte", "avec exposition sud", "mit Nordausrichtung"
@@ -35,6 +53,32 @@ _PLACES = (
     (r"\bjouxte(?:nt)? (?=l[ae] )", "est a cote de "), (r"\bcontre (?=l[ae] {fr})", "a cote de "),
     (r"\bbei (?:der|dem) (?={de})", "neben der "),
     (r"\bgrenzt (?:direkt |unmittelbar )?an (?:die|das|den|der|dem) (?={de})", "liegt neben der "),
+)  # fmt: skip
+_BESIDE = (
+    # "away from the lounge and the entrance", "on opposite sides of the living room", "left and right of it"
+    (r"\b(?:far )?(?:away|far) from (?P<of>the {kind}) and (?:from )?the (?:entrance|front door){end}",
+     r"far from the entrance and far from \g<of>"),
+    (r"\b(?:both )?on opposite sides of (?P<of>the {kind}){end}",
+     r"next to \g<of>. the bedrooms are far from each other"),
+    (r"\b(?:two |the |both )?bed ?rooms (?:to the |on the )?left and (?:to the |on the )?right of "
+     r"(?P<of>it|the {kind})\b",
+     r"one bedroom to the left of \g<of>, one bedroom to the right of \g<of>"),
+    (r"\bbehind (?:it|them)\b", _behind),
+    # "a guest room with its own bathroom near the entrance": the room is there
+    (r"\b(?P<of>(?:bed ?)?room) with (?P<bath>(?:its|his|her|their) own (?:bath ?room|shower room|bath|toilet)) "
+     r"(?P<at>(?:near|close to|next to|at|by) the (?:entrance|front door|front|back|rear)){end}",
+     r"\g<of> \g<at> with \g<bath>"),
+    # "close to ours and the guest room as far away as possible", "reach the bath from the bedrooms without crossing it"
+    (r"(\b(?:close|next|near) to ours),? (?:and|but) (?P<of>the {kind}) (?:as )?far away(?: as possible)?{end}",
+     r"\1. \g<of> is far from the parents' bedroom"),
+    (r"\b(?:you|one|we|everyone|everybody|people|guests) (?:{must} )?(?:be able to )?(?:reach|get to|go to) "
+     r"(?P<of>the {kind}) (?:from (?P<home>the {kind}s?) )?without (?:crossing|going through|passing(?: through)?|"
+     r"walking through|having to (?:cross|go through|pass)) (?P<by>the {kind}){end}", _not_through),
+    # "I need storage: a closet, a pantry", "an L-shaped living and dining room"
+    (r"\b(?:lots of |enough |plenty of |more |some )?storage(?: space)? ?: ?(?=(?:an? |one |two )?(?:walk-in|pantry|"
+     r"closet|broom|linen|larder|store))", ""),
+    (r"\b(?P<a>an?|one|the) (?P<size>(?:[a-z-]+ ){0,2}?)living and dining (?:room|area|space)\b",
+     r"\g<a> \g<size>living-dining room"),
 )  # fmt: skip
 _OPEN = (
     # "the kitchen is part of the living room", "an American kitchen", "kitchen and living room share one space"
@@ -113,7 +157,7 @@ _LIMITS = (
     (r"(?P<a>{zh})的?门(?:不要|不能|不可以?|别)(?:开向|开在|朝向?|通向|对着)(?P<b>{zh})",
      r" no door between \g<a> and \g<b>"),
 )  # fmt: skip
-_SAID = rules((*_PLACES, *_OPEN, *_NOT, *_OF, *_THINGS, *_LIMITS), side=_SIDE, way_in=_WAY_IN_DE, one=_ONE,
+_SAID = rules((*_PLACES, *_BESIDE, *_OPEN, *_NOT, *_OF, *_THINGS, *_LIMITS), side=_SIDE, way_in=_WAY_IN_DE, one=_ONE,
               lived_de=_LIVED_DE,
               lived=r"(?:living room|kitchen|dining room|lounge|dining area|living area)")  # fmt: skip
 

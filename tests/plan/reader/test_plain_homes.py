@@ -105,3 +105,22 @@ LEARNT = [
 ]  # fmt: skip
 
 test_as_learners_and_others_say_it = as_meant(LEARNT)
+
+FORTY = [
+    ("One-bedroom flat. The bedroom should be away from the living room and the entrance.", "B H K L W",
+     "apart B1 entrance, apart B1 L1, !apart L1 entrance"),
+    ("A flat with two bedrooms on opposite sides of the living room.", "B2 H K L W",
+     "adjacent B1 L1, adjacent B2 L1, apart B1 B2"),
+    ("A guest room with its own bathroom near the entrance, and two more bedrooms at the back.", "B3 H K L W2",
+     "near B3 entrance, B3W1, position B1 back, position B2 back, !near W1 entrance"),
+    ("The living room in the middle, bedrooms left and right of it, the kitchen behind it.", "B2 H K L W",
+     "position L1 centre, position B1 L1 left, position B2 L1 right, adjacent K1 L1"),
+    ("An L-shaped living and dining room, a separate kitchen, two bedrooms.", "B2 D H K L W", "D1~L1"),
+    ("You should be able to reach the bathroom from the bedrooms without crossing the living room.", "B2 H K L W",
+     "no_door W1 L1, H1W1, !L1W1, !B1W1"),
+    ("The children's room must be close to ours and the guest room as far away as possible.", "B3 H K L W2",
+     "adjacent B2 B1, apart B3 B1"),
+    ("I need storage: a walk-in closet, a pantry and a broom cupboard. Two bedrooms.", "B2 C H K L T2 W", ""),
+]  # fmt: skip
+
+test_where_rooms_lie = as_meant(FORTY)
