@@ -76,7 +76,7 @@ _SAID = [
          r"appartement pour \1 colocataires"),
         (r"\b(piso|apartamento) compartido (?:para|por|de|entre) (dos|tres|cuatro|cinco|\d)(?: personas)?\b",
          r"\1 para \2 estudiantes"),
-        (r"(?P<n>[两二三四五2-5])个?(?:学生|朋友|同学|同事|室友|人)合租的?(?![^,.;]*(?:每|各))",
+        (r"(?P<n>[两二三四五2-5])个?(?:学生|朋友|同学|同事|室友|人)合租的?(?![^.;]*(?:每|各))",
          lambda found: f" for {_COUNT.get(found['n'], found['n'])} flatmates "),
     ), one="(?:另)?一[间个](?:卧室|房间)?给"),
 ]
