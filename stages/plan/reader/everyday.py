@@ -34,6 +34,7 @@ _PLACES = (
     (r"\b(?:liegt|ist|befindet sich) (?:direkt )?(?:der|dem|den) (?P<of>{de}) gegenuber\b",
      r"liegt gegenuber der \g<of>"),
     (r"在(?P<of>{zh})的?(?:正)?对面", r" opposite \g<of>"),
+    (r"(?P<of>{zh})(?:的)?(?:旁边|隔壁)(?:有|是|设|放)(?:一个|个|一间)?(?P<new>{zh})", r"\g<new>在\g<of>旁边"),
     # "right at the entrance", "just inside the front door", "an der Eingangstür", "a la entrada", "在门口"
     (r"\b(?:right |directly |just )?(?:at|inside) the (?:entrance|front door|entry door|entrance door){end}",
      "near the entrance"),
@@ -136,6 +137,28 @@ _THINGS = (
     (r"(?P<n>[一两二三四五六七八\d])(?:把|张|盏|台|架|组|套)"
      r"(?=椅子|餐椅|桌子|餐桌|沙发|床|书桌|台灯|钢琴)", r"\g<n>个"),
 )  # fmt: skip
+_POLITE = (
+    # "kind regards, Anna", "thanks in advance", "viele Grüße", "merci d'avance", "me gustaría", "你好，请帮我设计"
+    (r"\b(?:(?:kind|best|warm) regards|sincerely|cordialement|(?:viele|liebe|beste) grusse|mit freundlichen grussen|"
+     r"un saludo|saludos|atentamente)\b[,.]? ?(?:[a-z]+ ?){0,2}[.!]?$", ""),
+    (r"\b(?:thanks?|thank you|danke|merci|gracias)(?: a lot| very much)? "
+     r"(?:in advance|im voraus|d'avance|de antemano)\b", ""),
+    (r"^(?:dear (?:architect|sir|madam|all|team|designer)s?|good (?:morning|afternoon|evening|day)|greetings)\b,? ?",
+     ""),
+    (r"\bme gustaria(?:n)?\b", "quiero"), (r"(?:你好|您好|谢谢您?|多谢|麻烦你?|请?帮我们?(?=设计|画|做))", ""),
+    # "an office/guest room", "an extra bedroom for visitors"
+    (r"\b(?P<of>(?:home )?office|study) ?/ ?(?=guest (?:bed)?room)", r"\g<of> which also serves as a "),
+    (r"\b(?P<of>(?:home )?office|study) (?:that|which) is also (?:the |a |our )?(?=guest (?:bed)?room)",
+     r"\g<of> which also serves as a "),
+    (r"(?<=书房)兼(?:作|做|任)?(?=客房|客卧)", " which also serves as "),
+    (r"\b(?P<a>an?|one|another) (?:extra |spare |further |additional )?bed ?room for (?:our |the )?"
+     r"(?:visitors|guests){end}", r"\g<a> guest room"),
+    (r"\bchambre pour (?:les |nos |des )?(?:invites|visiteurs|amis){end}", "chambre d'amis"),
+    (r"\b(?:cuarto|habitacion|dormitorio) para (?:los |nuestros )?(?:invitados|huespedes){end}",
+     "habitacion de invitados"),
+    (r"(?P<n>[一两二三四五])[个间](?P<size>\d+(?:\.\d+)?) ?(?:平方米|平米|平|m2)的?(?P<of>卧室|房间)",
+     r"\g<n>个\g<of>,每个\g<size>平方米"),
+)  # fmt: skip
 _LIMITS = (
     # "9+ m²", "ab 9 m²", "bis 5 m²", "9平米以上", "5平米以内"
     (r"\b(\d{1,3}) ?\+ ?(?=m2\b|sqm|sq\.? ?m|square)", r"at least \1 "),
@@ -157,7 +180,8 @@ _LIMITS = (
     (r"(?P<a>{zh})的?门(?:不要|不能|不可以?|别)(?:开向|开在|朝向?|通向|对着)(?P<b>{zh})",
      r" no door between \g<a> and \g<b>"),
 )  # fmt: skip
-_SAID = rules((*_PLACES, *_BESIDE, *_OPEN, *_NOT, *_OF, *_THINGS, *_LIMITS), side=_SIDE, way_in=_WAY_IN_DE, one=_ONE,
+_SAID = rules((*_PLACES, *_BESIDE, *_OPEN, *_NOT, *_OF, *_THINGS, *_POLITE, *_LIMITS), side=_SIDE,
+              way_in=_WAY_IN_DE, one=_ONE,
               lived_de=_LIVED_DE,
               lived=r"(?:living room|kitchen|dining room|lounge|dining area|living area)")  # fmt: skip
 

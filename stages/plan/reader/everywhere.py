@@ -8,7 +8,7 @@ _TWO_USES = (
      r"(?P<use>{de}) (?:genutzt|verwendet|nutzen|benutzen|dient|dienen|nutzbar)(?: werden)?"
      r"(?: kann| konnen| soll| lasst| ist)?\b",
      r"\g<of> which also serves as \g<use>"),
-    (r"\b(?P<of>{fr}) qui (?:peut|pourra|doit|puisse) (?:aussi |egalement )?(?:servir|faire office) "
+    (r"\b(?P<of>{fr}) qui (?:(?:peut|pourra|doit|puisse) )?(?:aussi |egalement )?(?:servir|sert|servira|faire office) "
      r"(?:aussi )?de (?P<use>{fr})",
      r"\g<of> which also serves as \g<use>"),
     (r"\b(?P<of>{es}) que (?:tambien )?(?:sirva|sirve|pueda servir|puede servir|se pueda usar) "
