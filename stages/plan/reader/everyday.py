@@ -59,8 +59,8 @@ _BESIDE = (
     # "away from the lounge and the entrance", "on opposite sides of the living room", "left and right of it"
     (r"\b(?:far )?(?:away|far) from (?P<of>the {kind}) and (?:from )?the (?:entrance|front door){end}",
      r"far from the entrance and far from \g<of>"),
-    (r"\b(?:both )?on opposite sides of (?P<of>the {kind}){end}",
-     r"next to \g<of>. the bedrooms are far from each other"),
+    (r"\bbed ?rooms (?:both )?on opposite sides of (?P<of>the (?!{hall}){kind}){end}",
+     r"bedrooms next to \g<of>. the bedrooms are far from each other"),
     (r"\b(?:two |the |both )?bed ?rooms (?:to the |on the )?left and (?:to the |on the )?right of "
      r"(?P<of>it|the {kind})\b",
      r"one bedroom to the left of \g<of>, one bedroom to the right of \g<of>"),

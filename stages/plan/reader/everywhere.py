@@ -32,10 +32,10 @@ _WAYS = (
      r"(?:wohnzimmer|wohnbereich)\b", "you enter directly into the living room"),
     (r"(?:进门|入户)(?:就|直接)?是客厅", "you enter directly into the living room"),
     # "at the end of the hall"
-    (r"\bat the (?:far |very )?end of the {hall}", "far from the entrance"),
-    (r"\bam ende de[sr] (?:flure?s|gange?s|korridors|diele)\b", "weit weg vom eingang"),
-    (r"\bau (?:bout|fond) du couloir\b", "loin de l'entree"),
-    (r"\bal (?:final|fondo) del pasillo\b", "lejos de la entrada"),
+    (r"\bat the (?:far |very )?end of the {hall}", "at the far end"),
+    (r"\bam ende de[sr] (?:flure?s|gange?s|korridors|diele)\b", "hinten"),
+    (r"\bau (?:bout|fond) du couloir\b", "au fond"),
+    (r"\bal (?:final|fondo) del pasillo\b", "al fondo"),
     (r"在?走廊(?:的)?尽头", "远离入口"),
     # "je travaille à la maison", "trabajo en casa", "une seule chambre"
     (r"\b(?P<work>travaill\w+|teletravail\w*) (?:a la maison|depuis la maison)\b", r"\g<work>"),
@@ -53,7 +53,8 @@ _WAYS = (
 )
 _OURS = (
     # "neben unserem Schlafzimmer, das Gästezimmer möglichst weit weg davon", "à côté de la nôtre"
-    (r"\b(?:unsere[mnr]?|meine[mnr]?|unser|mein) (?:eigene[mns]? )?schlafzimmer\b", "dem elternschlafzimmer"),
+    (r"\b(?P<by>neben|bei|nahe|nahe bei|weit weg von|weit von) (?:unserem|meinem) schlafzimmer\b(?! (?:brauche|hatte))",
+     r"\g<by> dem elternschlafzimmer"),
     (r"\b(?:moglichst |so )?weit (?:weg|entfernt) davon\b(?: wie moglich)?", "weit entfernt vom elternschlafzimmer"),
     (r"\ba cote de la notre\b", "a cote de la chambre des parents"),
     (r"\bloin de la notre\b", "loin de la chambre des parents"),

@@ -139,17 +139,17 @@ ABROAD = [
     ("Je travaille à la maison, il me faut donc un bureau loin du salon, et une seule chambre.", "B H K L S W",
      "apart S1 L1, !apart S1 B1"),
     ("La chambre des enfants est à côté de la nôtre et la chambre d'amis est au bout du couloir.", "B3 H K L W2",
-     "adjacent B2 B1, apart B3 entrance"),
+     "adjacent B2 B1, position B3 back"),
     ("On entre directement dans le salon, la cuisine est à gauche et la chambre à droite.", "B K L W", "B1L1, K1L1"),
     ("El cuarto de los niños está al lado del nuestro y el de invitados al final del pasillo.", "B3 H K L W2",
-     "adjacent B2 B1, apart B3 entrance, !adjacent B2 B3"),
+     "adjacent B2 B1, position B3 back, !adjacent B2 B3"),
     ("Somos cuatro compañeros de piso, cada uno con su habitación, y compartimos dos baños y una cocina grande.",
      "B4 H K L W2", "H1W1, H1W2"),
     ("Se entra directamente al salón, la cocina está a la izquierda y el dormitorio a la derecha.", "B K L W", "K1L1"),
     ("卫生间要有浴缸和淋浴，另外还要一个独立的厕所。", "W2", "W2=2.3"),
     ("四个室友合租，每人一间卧室，共用两个卫生间和一个大厨房。", "B4 H K L W2", ""),
     ("Two bedrooms, one of them small.", "B2 H K L W", "B1=14, B2=8.85"),
-    ("Three bedrooms. The guest room is at the end of the hall.", "B3 H K L W2", "apart B3 entrance"),
+    ("Three bedrooms. The guest room is at the end of the hall.", "B3 H K L W2", "position B3 back"),
 ]  # fmt: skip
 
 test_as_other_languages_say_it = as_meant(ABROAD)
