@@ -26,7 +26,7 @@ def _each(found: re.Match[str]) -> str:
     """`我和两个同学合租，每人一间卧室`: as many bedrooms as people."""
     count = int(found["n"]) if found["n"].isdigit() else _NUMBERS[found["n"]]
     count += bool(found["me"])
-    return f"{count}个人住,{'一两三四五六七'[count - 1]}个卧室" if count > 1 else found.group()
+    return f" for {count} flatmates,{'一两三四五六七'[count - 1]}个卧室" if count > 1 else found.group()
 
 
 def _family(found: re.Match[str]) -> str:

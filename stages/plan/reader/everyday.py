@@ -1,11 +1,29 @@
 """Places, neighbours, sizes, rooms in one and rooms not wanted, as five languages say them every day."""
 
-from apartgen.stages.plan.reader.pieces import reworded, rules
+import re
+
+from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import KIND, reworded, rules
 
 _WAY_IN_DE = r"(?:eingang|eingangstur|wohnungstur|haustur|tur)"
 _SIDE = r"(?:norte|sur|este|oeste|noreste|noroeste|sureste|suroeste)"
 _ONE = r"(?:one|a|an|the same|a single|one single|one big|one large)"
 _LIVED_DE = r"(?:kuche|wohnzimmer|esszimmer|essbereich|wohnraum)"
+
+_OF_IT = late(rf"({KIND})[^.;]*?\b(?:left|right|north|south|east|west) of it\b")
+
+
+def _behind(found: re.Match[str]) -> str:
+    """`the lounge in the middle, a study left of it, the kitchen behind it`: beside the room that all are told from."""
+    hub = _OF_IT.search(found.string[: found.start()])
+    return f"next to the {hub[1]}" if hub else f"next to {found.group().split()[-1]}"
+
+
+def _not_through(found: re.Match[str]) -> str:
+    """`reach the bath from the bedrooms without crossing the lounge`: the bath has no door to it."""
+    more = f". {found['home']}" if found["home"] else ""
+    return f"{found['of']} must not open into {found['by']}{more}"
+
 
 _PLACES = (
     # "con orientación norte", "avec exposition sud", "mit Nordausrichtung"
@@ -16,6 +34,7 @@ _PLACES = (
     (r"\b(?:liegt|ist|befindet sich) (?:direkt )?(?:der|dem|den) (?P<of>{de}) gegenuber\b",
      r"liegt gegenuber der \g<of>"),
     (r"在(?P<of>{zh})的?(?:正)?对面", r" opposite \g<of>"),
+    (r"(?P<of>{zh})(?:的)?(?:旁边|隔壁)(?:有|是|设|放)(?:一个|个|一间)?(?P<new>{zh})", r"\g<new>在\g<of>旁边"),
     # "right at the entrance", "just inside the front door", "an der Eingangstür", "a la entrada", "在门口"
     (r"\b(?:right |directly |just )?(?:at|inside) the (?:entrance|front door|entry door|entrance door){end}",
      "near the entrance"),
@@ -35,6 +54,32 @@ _PLACES = (
     (r"\bjouxte(?:nt)? (?=l[ae] )", "est a cote de "), (r"\bcontre (?=l[ae] {fr})", "a cote de "),
     (r"\bbei (?:der|dem) (?={de})", "neben der "),
     (r"\bgrenzt (?:direkt |unmittelbar )?an (?:die|das|den|der|dem) (?={de})", "liegt neben der "),
+)  # fmt: skip
+_BESIDE = (
+    # "away from the lounge and the entrance", "on opposite sides of the living room", "left and right of it"
+    (r"\b(?:far )?(?:away|far) from (?P<of>the {kind}) and (?:from )?the (?:entrance|front door){end}",
+     r"far from the entrance and far from \g<of>"),
+    (r"\bbed ?rooms (?:both )?on opposite sides of (?P<of>the (?!{hall}){kind}){end}",
+     r"bedrooms next to \g<of>. the bedrooms are far from each other"),
+    (r"\b(?:two |the |both )?bed ?rooms (?:to the |on the )?left and (?:to the |on the )?right of "
+     r"(?P<of>it|the {kind})\b",
+     r"one bedroom to the left of \g<of>, one bedroom to the right of \g<of>"),
+    (r"\bbehind (?:it|them)\b", _behind),
+    # "a guest room with its own bathroom near the entrance": the room is there
+    (r"\b(?P<of>(?:bed ?)?room) with (?P<bath>(?:its|his|her|their) own (?:bath ?room|shower room|bath|toilet)) "
+     r"(?P<at>(?:near|close to|next to|at|by) the (?:entrance|front door|front|back|rear)){end}",
+     r"\g<of> \g<at> with \g<bath>"),
+    # "close to ours and the guest room as far away as possible", "reach the bath from the bedrooms without crossing it"
+    (r"(\b(?:close|next|near) to ours),? (?:and|but) (?P<of>the {kind}) (?:as )?far away(?: as possible)?{end}",
+     r"\1. \g<of> is far from the parents' bedroom"),
+    (r"\b(?:you|one|we|everyone|everybody|people|guests) (?:{must} )?(?:be able to )?(?:reach|get to|go to) "
+     r"(?P<of>the {kind}) (?:from (?P<home>the {kind}s?) )?without (?:crossing|going through|passing(?: through)?|"
+     r"walking through|having to (?:cross|go through|pass)) (?P<by>the {kind}){end}", _not_through),
+    # "I need storage: a closet, a pantry", "an L-shaped living and dining room"
+    (r"\b(?:lots of |enough |plenty of |more |some )?storage(?: space)? ?: ?(?=(?:an? |one |two )?(?:walk-in|pantry|"
+     r"closet|broom|linen|larder|store))", ""),
+    (r"\b(?P<a>an?|one|the) (?P<size>(?:[a-z-]+ ){0,2}?)living and dining (?:room|area|space)\b",
+     r"\g<a> \g<size>living-dining room"),
 )  # fmt: skip
 _OPEN = (
     # "the kitchen is part of the living room", "an American kitchen", "kitchen and living room share one space"
@@ -92,6 +137,28 @@ _THINGS = (
     (r"(?P<n>[一两二三四五六七八\d])(?:把|张|盏|台|架|组|套)"
      r"(?=椅子|餐椅|桌子|餐桌|沙发|床|书桌|台灯|钢琴)", r"\g<n>个"),
 )  # fmt: skip
+_POLITE = (
+    # "kind regards, Anna", "thanks in advance", "viele Grüße", "merci d'avance", "me gustaría", "你好，请帮我设计"
+    (r"\b(?:(?:kind|best|warm) regards|sincerely|cordialement|(?:viele|liebe|beste) grusse|mit freundlichen grussen|"
+     r"un saludo|saludos|atentamente)\b[,.]? ?(?:[a-z]+ ?){0,2}[.!]?$", ""),
+    (r"\b(?:thanks?|thank you|danke|merci|gracias)(?: a lot| very much)? "
+     r"(?:in advance|im voraus|d'avance|de antemano)\b", ""),
+    (r"^(?:dear (?:architect|sir|madam|all|team|designer)s?|good (?:morning|afternoon|evening|day)|greetings)\b,? ?",
+     ""),
+    (r"\bme gustaria(?:n)?\b", "quiero"), (r"(?:你好|您好|谢谢您?|多谢|麻烦你?|请?帮我们?(?=设计|画|做))", ""),
+    # "an office/guest room", "an extra bedroom for visitors"
+    (r"\b(?P<of>(?:home )?office|study) ?/ ?(?=guest (?:bed)?room)", r"\g<of> which also serves as a "),
+    (r"\b(?P<of>(?:home )?office|study) (?:that|which) is also (?:the |a |our )?(?=guest (?:bed)?room)",
+     r"\g<of> which also serves as a "),
+    (r"(?<=书房)兼(?:作|做|任)?(?=客房|客卧)", " which also serves as "),
+    (r"\b(?P<a>an?|one|another) (?:extra |spare |further |additional )?bed ?room for (?:our |the )?"
+     r"(?:visitors|guests){end}", r"\g<a> guest room"),
+    (r"\bchambre pour (?:les |nos |des )?(?:invites|visiteurs|amis){end}", "chambre d'amis"),
+    (r"\b(?:cuarto|habitacion|dormitorio) para (?:los |nuestros )?(?:invitados|huespedes){end}",
+     "habitacion de invitados"),
+    (r"(?P<n>[一两二三四五])[个间](?P<size>\d+(?:\.\d+)?) ?(?:平方米|平米|平|m2)的?(?P<of>卧室|房间)",
+     r"\g<n>个\g<of>,每个\g<size>平方米"),
+)  # fmt: skip
 _LIMITS = (
     # "9+ m²", "ab 9 m²", "bis 5 m²", "9平米以上", "5平米以内"
     (r"\b(\d{1,3}) ?\+ ?(?=m2\b|sqm|sq\.? ?m|square)", r"at least \1 "),
@@ -113,7 +180,8 @@ _LIMITS = (
     (r"(?P<a>{zh})的?门(?:不要|不能|不可以?|别)(?:开向|开在|朝向?|通向|对着)(?P<b>{zh})",
      r" no door between \g<a> and \g<b>"),
 )  # fmt: skip
-_SAID = rules((*_PLACES, *_OPEN, *_NOT, *_OF, *_THINGS, *_LIMITS), side=_SIDE, way_in=_WAY_IN_DE, one=_ONE,
+_SAID = rules((*_PLACES, *_BESIDE, *_OPEN, *_NOT, *_OF, *_THINGS, *_POLITE, *_LIMITS), side=_SIDE,
+              way_in=_WAY_IN_DE, one=_ONE,
               lived_de=_LIVED_DE,
               lived=r"(?:living room|kitchen|dining room|lounge|dining area|living area)")  # fmt: skip
 

@@ -21,6 +21,8 @@ _ES = {"wir": "nosotros|mi|los padres|mi mujer y yo|mi marido y yo",
        "kind": "(?:los |las |el |la |nuestros |mis |mi )?(?:dos |tres )?(?:nin[oa]s?|hij[oa]s?|bebe|gemelos)",
        "oma": "(?:la |el |mi |los |nuestra )?(?:abuel[oa]s?|madre|padre|suegr[oa]s?)",
        "gast": "(?:los |las )?(?:invitados|visitas)"}  # fmt: skip
+_COUNT: dict[str, str] = {"dritt": "3", "viert": "4", "funft": "5", "sechst": "6",
+                          "两": "2", "二": "2", "三": "3", "四": "4", "五": "5"}  # fmt: skip
 _ROOM = {"wir": "parents' bedroom", "kind": "kids room", "oma": "relative's room", "gast": "guest room"}
 
 
@@ -76,12 +78,10 @@ _SAID = [
          r"appartement pour \1 colocataires"),
         (r"\b(piso|apartamento) compartido (?:para|por|de|entre) (dos|tres|cuatro|cinco|\d)(?: personas)?\b",
          r"\1 para \2 estudiantes"),
-        (r"(?P<n>[两二三四五2-5])个?(?:学生|朋友|同学|同事|室友|人)合租的?(?![^,.;]*(?:每|各))",
+        (r"(?P<n>[两二三四五2-5])个?(?:学生|朋友|同学|同事|室友|人)合租的?(?![^.;]*(?:每|各))",
          lambda found: f" for {_COUNT.get(found['n'], found['n'])} flatmates "),
     ), one="(?:另)?一[间个](?:卧室|房间)?给"),
 ]
-_COUNT = {"dritt": "3", "viert": "4", "funft": "5", "sechst": "6", "两": "2", "二": "2", "三": "3", "四": "4",
-          "五": "5"}  # fmt: skip
 _FOUR = late(r"\b(un|le|avec un|et un) four\b(?! \w+s\b)")
 
 

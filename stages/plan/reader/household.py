@@ -179,7 +179,7 @@ class Household:
             whole = pool if several else self.ensure(phrase.type, max(phrase.ordinals))
             found = [whole[index_of(n)] for n in phrase.ordinals]
         else:
-            found = free[: int(phrase.count or 1)]
+            found = free[-int(phrase.count or 1) :] if phrase.factor < 1 else free[: int(phrase.count or 1)]
         for entity in found if phrase.quantifier not in PAIRED else []:
             entity.picked = True
         if Trait.MAYBE_ENSUITE in phrase.labels:
@@ -208,7 +208,8 @@ class Household:
             whole = [e for e in whole if e.owner is None] or whole if phrase.type == "bathroom" else whole
             free = [e for e in whole if not e.picked and (phrase.quantifier == Det.ONE_OF or e not in self.last)]
             many = phrase.quantifier == Det.OTHER and (phrase.plural or phrase.count)
-            found = (free or whole[-1:])[: int(phrase.count or MOST) if many else 1]
+            small = not many and phrase.factor < 1
+            found = free[-1:] if small and free else (free or whole[-1:])[: int(phrase.count or MOST) if many else 1]
             for entity in found:
                 entity.picked = True
             return found

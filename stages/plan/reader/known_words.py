@@ -10,6 +10,7 @@ from apartgen.stages.plan.reader.counted_doors import doors_counted
 from apartgen.stages.plan.reader.doorside import beside_entrance
 from apartgen.stages.plan.reader.entered import entered
 from apartgen.stages.plan.reader.everyday import every_day
+from apartgen.stages.plan.reader.everywhere import everywhere
 from apartgen.stages.plan.reader.for_whom import for_whom_said
 from apartgen.stages.plan.reader.homely import at_home, without_false_friends
 from apartgen.stages.plan.reader.instead_of import instead_of
@@ -37,7 +38,7 @@ from apartgen.stages.plan.reader.ways import in_passing
 
 def in_known_words(prompt: str) -> str:
     """A prompt folded, with its clauses in such words."""
-    told = every_day(at_home(for_whom_said(as_typed(without_false_friends(fold(prompt))))))
+    told = every_day(at_home(everywhere(for_whom_said(as_typed(without_false_friends(fold(prompt)))))))
     told = beside_entrance(in_characters(in_one_room(told)))
     told = unparted(named_again(told_apart(instead_of(shared_by_others(told)))))
     told = inverted(advertised(itemized(only_ways(meant_of(told)))))

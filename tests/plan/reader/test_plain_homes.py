@@ -2,6 +2,8 @@
 
 from sentences.facts import as_meant
 
+from apartgen.stages.plan.reader import read
+
 STRAIGHT_IN = [
     ("You enter the flat directly into the living room, with the kitchen to the left and the bedroom to the right.",
      "B K L W", "position K1 left, position B1 right, B1L1, K1L1"),
@@ -105,3 +107,54 @@ LEARNT = [
 ]  # fmt: skip
 
 test_as_learners_and_others_say_it = as_meant(LEARNT)
+
+FORTY = [
+    ("One-bedroom flat. The bedroom should be away from the living room and the entrance.", "B H K L W",
+     "apart B1 entrance, apart B1 L1, !apart L1 entrance"),
+    ("A flat with two bedrooms on opposite sides of the living room.", "B2 H K L W",
+     "adjacent B1 L1, adjacent B2 L1, apart B1 B2"),
+    ("A guest room with its own bathroom near the entrance, and two more bedrooms at the back.", "B3 H K L W2",
+     "near B3 entrance, B3W1, position B1 back, position B2 back, !near W1 entrance"),
+    ("The living room in the middle, bedrooms left and right of it, the kitchen behind it.", "B2 H K L W",
+     "position L1 centre, position B1 L1 left, position B2 L1 right, adjacent K1 L1"),
+    ("An L-shaped living and dining room, a separate kitchen, two bedrooms.", "B2 D H K L W", "D1~L1"),
+    ("You should be able to reach the bathroom from the bedrooms without crossing the living room.", "B2 H K L W",
+     "no_door W1 L1, H1W1, !L1W1, !B1W1"),
+    ("The children's room must be close to ours and the guest room as far away as possible.", "B3 H K L W2",
+     "adjacent B2 B1, apart B3 B1"),
+    ("I need storage: a walk-in closet, a pantry and a broom cupboard. Two bedrooms.", "B2 C H K L T2 W", ""),
+]  # fmt: skip
+
+test_where_rooms_lie = as_meant(FORTY)
+
+ABROAD = [
+    ("Unser Sohn braucht ein eigenes Zimmer, und wir hätten gern ein Arbeitszimmer, das man auch als Gästezimmer "
+     "nutzen kann.", "B2 H K L S W", "use S1 bedroom"),
+    ("Zwei Schlafzimmer. Die Küche soll höchstens 10 Quadratmeter haben und einen Zugang zum Balkon.", "B2 H K L W Y",
+     "at_most K1 10, K1Y1"),
+    ("Ein Badezimmer für die Eltern und eins für die Kinder, dazu drei Schlafzimmer.", "B3 H K L W2", "!unread eltern"),
+    ("Das Kinderzimmer neben unserem Schlafzimmer, das Gästezimmer möglichst weit weg davon.", "B3 H K L W2",
+     "adjacent B2 B1, apart B3 B1"),
+    ("Alle Zimmer vom Flur aus erreichbar, drei Schlafzimmer.", "B3 H K L W2", "B1H1, B2H1, B3H1, H1W1, !B1L1, !B1W1"),
+    ("Je travaille à la maison, il me faut donc un bureau loin du salon, et une seule chambre.", "B H K L S W",
+     "apart S1 L1, !apart S1 B1"),
+    ("La chambre des enfants est à côté de la nôtre et la chambre d'amis est au bout du couloir.", "B3 H K L W2",
+     "adjacent B2 B1, position B3 back"),
+    ("On entre directement dans le salon, la cuisine est à gauche et la chambre à droite.", "B K L W", "B1L1, K1L1"),
+    ("El cuarto de los niños está al lado del nuestro y el de invitados al final del pasillo.", "B3 H K L W2",
+     "adjacent B2 B1, position B3 back, !adjacent B2 B3"),
+    ("Somos cuatro compañeros de piso, cada uno con su habitación, y compartimos dos baños y una cocina grande.",
+     "B4 H K L W2", "H1W1, H1W2"),
+    ("Se entra directamente al salón, la cocina está a la izquierda y el dormitorio a la derecha.", "B K L W", "K1L1"),
+    ("卫生间要有浴缸和淋浴，另外还要一个独立的厕所。", "W2", "W2=2.3"),
+    ("四个室友合租，每人一间卧室，共用两个卫生间和一个大厨房。", "B4 H K L W2", ""),
+    ("Two bedrooms, one of them small.", "B2 H K L W", "B1=14, B2=8.85"),
+    ("Three bedrooms. The guest room is at the end of the hall.", "B3 H K L W2", "position B3 back"),
+]  # fmt: skip
+
+test_as_other_languages_say_it = as_meant(ABROAD)
+
+
+def test_flatmates_are_no_children() -> None:
+    bedrooms = [room for room in read("四个室友合租，每人一间卧室。").rooms if room.type == "bedroom"]
+    assert [room.children for room in bedrooms] == [None] * 4

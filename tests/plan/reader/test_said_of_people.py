@@ -52,7 +52,7 @@ SENTENCES = [
     ("Chef's home: a huge kitchen with two ovens and a pantry; a tiny bedroom; the living room is smaller than "
      "the kitchen.", "B H K L T W", "K1T1, !H1T1"),
     ("In my game the family of four lives in a flat with the parents' bedroom at the end of the corridor and the"
-     " kids' room next to it.", "B2 H K L W", "H1W1, adjacent B2 B1"),
+     " kids' room next to it.", "B2 H K L W", "H1W1, adjacent B1 B2, position B1 back"),
     ("Sims starter: 1 bed 1 bath, everything as small as possible, kitchen and living in one.", "B H K L W",
      "B1H1, H1L1, H1W1"),
     ("A lighthouse keeper's flat: bedroom facing the sea, kitchen with a table for two, no living room.", "B H K W",
