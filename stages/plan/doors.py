@@ -34,12 +34,16 @@ NEARER = 0.5
 """Cost of a metre between the entrance and what is to be near it."""
 AFAR = 1.0
 """Cost of a metre between the entrance and the place that ways were reckoned from."""
+SERVED, CARRIED = 0.75, 3.5
+"""Cost of a metre by which a kitchen's door in a hall is farther than that from the door to where one eats, m."""
 DETOUR = 0.3
 """Cost of a metre that the way from the entrance through a door to a room's middle is longer than the straight one."""
 BARS, PASSED = 8.0, 0.27
 """Cost of a leaf that, standing open, cuts the hallway it opens into; half the width one passes by it in, m."""
 LEAF = 0.05
 """Thickness of a leaf that stands open, m."""
+EATEN_IN = ({"living_room", "hallway"}, {"dining_room", "hallway"})
+"""What is joined by a door from a hall to where one eats."""
 WITHIN, AS_FAR = 0.05, 20.0
 """A wall is followed so deep in its room, m, and no farther than that."""
 
@@ -83,6 +87,7 @@ def _columns(program: Program, floors: Floors, walls: Walls, deep: Depths) -> li
                 behind = floors[max((a, b), key=lambda room: far.get(room, 0))]
                 choices = _on_the_way(choices, _middle(entrances[0]), behind, program)
             columns.append(Column("door", [a, b], choices, head))
+    columns = _served(columns, types)
     columns.append(Column("entrance", [first], _about(entrances), HEAD))
     for column in columns:
         if not column.choices:
@@ -181,6 +186,26 @@ def _nearest(choices: list[Choice], entrance: Choice) -> list[Choice]:
     away = [float(np.abs(_middle(choice) - _middle(entrance)).sum()) for choice in choices]
     dearer = [choice._replace(cost=choice.cost + NEARER * d) for choice, d in zip(choices, away, strict=True)]
     return sorted(dearer, key=lambda c: c.cost)
+
+
+def _served(columns: list[Column], types: dict[str, RoomType]) -> list[Column]:
+    """Columns in which doors of kitchens and of rooms where one eats cost more the farther they are apart in a hall."""
+    out = list(columns)
+    for i, cooked in enumerate(columns):
+        for j, eaten in enumerate(columns):
+            kinds = {types[room] for room in cooked.rooms}, {types[room] for room in eaten.rooms}
+            served = kinds[0] == {"kitchen", "hallway"} and kinds[1] in EATEN_IN
+            if served and set(cooked.rooms) & set(eaten.rooms) and cooked.choices and eaten.choices:
+                out[i] = _nearer(out[i], out[j].choices[0])
+                out[j] = _nearer(out[j], out[i].choices[0])
+    return out
+
+
+def _nearer(column: Column, other: Choice) -> Column:
+    """A column whose doors cost more the farther they are from another."""
+    away = [max(0.0, float(np.abs(_middle(c) - _middle(other)).sum()) - CARRIED) for c in column.choices]
+    dearer = [c._replace(cost=c.cost + SERVED * far) for c, far in zip(column.choices, away, strict=True)]
+    return column._replace(choices=sorted(dearer, key=lambda c: c.cost))
 
 
 def _on_the_way(choices: list[Choice], entrance: faces.Array, room: Polygon, program: Program) -> list[Choice]:

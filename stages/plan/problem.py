@@ -27,7 +27,7 @@ COOK = 40.0
 """What a metre counts that lacks of the wall between a kitchen without a door to where one eats and that room, while
 nothing is given up."""
 SERVED = 12.0
-"""What a metre counts that the doors of such a kitchen and of that room lie farther apart than they need along a hall."""
+"""What a metre counts that the walls for the doors of such a kitchen and of that room are too far apart in a hall."""
 CUT_OFF = 0.05
 """Share of draws in which such a kitchen need not lie there."""
 ODD = (0.6, 2.0)

@@ -21,7 +21,7 @@ from apartgen.stages.plan.slicing import (
 
 PLACE, CENTRE, BESIDE, NEAR_ENTRANCE, FAR_FROM_ENTRANCE, ADJACENT, APART, LENGTHS, LONG, WIDE, SERVING = range(11)
 REACH, WALL, CARRIED = 1.5, 1.0, 1.5
-"""Distance from the entrance that is near, wall that neighbours share, and what walls with doors are apart at most, m."""
+"""Distance from the entrance that is near, wall that neighbours share, distance of walls with doors that is near, m."""
 ASIDE, MIDDLE = 0.15, 0.2
 """Half extents of the home that a room's middle lies off its middle at a side, and at most in the centre."""
 

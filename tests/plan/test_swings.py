@@ -83,3 +83,15 @@ def test_where_leaves_stand_open(gap: float) -> None:
             leaf = polygons.leaf(doors._built(column, choice, 1), plan, np.pi / 2)
             stands = shapely.box(*choice.stands)
             assert leaf.intersection(stands).area > 0.6 * leaf.area
+
+
+def test_one_carries_plates_no_farther_along_a_hall_than_need_be() -> None:
+    """The living room reaches 2.1 m from the kitchen, the entrance is at its other end."""
+    rooms = [
+        drawn("hallway_1", 0, 0, 12, 1.4), drawn("bedroom_1", 0, 1.5, 12, 4.5), drawn("living_room_1", 0, -4, 7, -0.1),
+        drawn("bathroom_1", 7.1, -4, 9, -0.1), drawn("kitchen_1", 9.1, -4, 12, -0.1),
+    ]  # fmt: skip
+    plan = from_polygons(rooms, PlanConfig())
+    door = {frozenset(o.rooms): np.mean([x for x, _ in o.segment]) for o in plan.openings if o.kind == "door"}
+    kitchen, living = (door[frozenset(("hallway_1", room))] for room in ("kitchen_1", "living_room_1"))
+    assert kitchen - living < 3.8

@@ -31,6 +31,7 @@ def row(kind: str, of: str, value: str | None = None, to: str | None = None) -> 
         (wished.ADJACENT, 0, 2, 0, 0, wished.WALL + 4.0),
         (wished.APART, 0, 2, 0, 0, 0.0),
         (wished.APART, 0, 1, 0, 0, 2.0),
+        (wished.SERVING, 0, 2, 0, 1, 2.5 - wished.CARRIED),  # for a wall that lacks stands the middle between rooms
         (wished.LENGTHS, 1, -1, 2.9, 3.9, 0.0),
         (wished.LENGTHS, 1, -1, 3.9, 2.4, 0.5),
         (wished.LONG, 2, -1, 4.0, 0.0, 0.9),  # the bedroom's floor is 4.9 by 2.9
