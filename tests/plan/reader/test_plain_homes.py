@@ -154,6 +154,27 @@ ABROAD = [
 
 test_as_other_languages_say_it = as_meant(ABROAD)
 
+FOR_ONE = [
+    ("A flat for my mother.", "B H K L W", "!unread mother"),
+    ("A flat for my daughter, who is a student.", "B H K L W", "!unread student"),
+    ("A flat for my mother and her dog.", "B H K L W", "!unread dog"),
+    ("A two-bedroom flat for my mother.", "B2 H K L W", "!unread mother"),
+    ("A flat for my mother with a guest room.", "B2 H K L W", "!unread mother"),
+    ("A flat for my parents.", "B H K L W", "!unread parents"),
+    ("A flat for my parents with two bedrooms.", "B2 H K L W", "!unread parents"),
+    ("Eine Wohnung für meine Mutter.", "B H K L W", "!unread mutter"),
+    ("Un appartement pour ma fille étudiante.", "B H K L W", "!unread fille"),
+    ("Un piso para mi madre.", "B H K L W", "!unread madre"),
+    ("给我妈妈的公寓。", "B H K L W", ""),
+    ("A flat for my mother and me.", "B2 H K L W", ""),
+    ("A flat for my daughter with two kids.", "B3 H K L W2", ""),
+    ("We need a room in the flat for my mother.", "B2 H K L W", ""),
+    ("Eine Wohnung für meine Mutter und mich.", "B2 H K L W", ""),
+]
+
+test_a_home_for_a_relative_is_for_one = as_meant(FOR_ONE)
+
+
 
 def test_flatmates_are_no_children() -> None:
     bedrooms = [room for room in read("四个室友合租，每人一间卧室。").rooms if room.type == "bedroom"]
