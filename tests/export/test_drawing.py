@@ -12,6 +12,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.stages import export
 from apartgen.stages.export import _drawing, _symbols
 from apartgen.stages.export._pen import Pen
+from apartgen.stages.export._strokes import strokes
 from apartgen.stages.retrieve import furniture
 from apartgen.stages.space import polygons
 from apartgen.stages.things.categories import TABLE
@@ -22,6 +23,15 @@ def points(axes, patch):
     path = patch.get_transform().transform_path(patch.get_path()).interpolated(1)
     corners = np.concatenate([part for part in path.to_polygons(closed_only=False) if len(part)])
     return axes.transData.inverted().transform(corners)
+
+
+def test_a_rectangle_has_four_corners_and_round_ones_where_asked():
+    axes = blank()
+    for r in (0.0, 0.2):
+        Pen(axes, 1.0, 2.0, name="it/rect").rect(-1.0, 1.0, -0.5, 0.5, r=r)
+    sharp, rounded = (line.points for line in strokes(axes.figure))
+    assert sorted(map(tuple, sharp.round(6).tolist())) == [(0, 1.5), (0, 2.5), (2, 1.5), (2, 2.5)]
+    assert shapely.Polygon(rounded).area == pytest.approx(2 - (4 - np.pi) * 0.2**2, abs=0.01)
 
 
 def blank():

@@ -66,6 +66,18 @@ def test_a_back_is_at_a_wall_that_it_is_parallel_and_near_to():
     assert at_wall(2.0, 0.4, np.pi / 2) and at_wall(2.0, 2.6, -np.pi / 2) and at_wall(3.6, 1.5, np.pi)
 
 
+@pytest.mark.parametrize(("apart", "together"), [(0.0, True), (0.34, True), (0.36, False), (0.6, False)])
+def test_companions_stand_a_third_of_a_metre_apart_at_most(apart, together):
+    """A nightstand beside a bed, a chair before a table."""
+    floor = Polygon([(0, 0), (6, 0), (6, 6), (0, 6)])
+    bed = h.thing("double_bed", 3.0, 3.0, size=(2.0, 1.6, 0.5))
+    stand = h.thing("nightstand", 3.0, 3.0 + 0.8 + apart + 0.2, size=(0.4, 0.4, 0.5))
+    assert relations.of_room(floor, [bed, stand])["nightstand_at_bed"] == [together]
+    table = h.thing("dining_table", 3.0, 3.0, size=(0.8, 1.6, 0.74))
+    chair = h.thing("chair", 3.0 - 0.4 - apart - 0.25, 3.0, size=(0.5, 0.45, 0.9))
+    assert relations.of_room(floor, [table, chair])["seat_at_table"] == [together]
+
+
 def test_a_mean_over_one_room_has_no_interval():
     figure = Value(name="figure", value=None)
     assert averaged(figure, []) == figure

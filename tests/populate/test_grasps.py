@@ -7,6 +7,7 @@ from inhabited import library, lived_in, things
 
 from apartgen.stages.retrieve import furniture
 from apartgen.stages.things import small
+from apartgen.stages.things.asset import Collider, Link
 from apartgen.stages.things.body import inertia
 from apartgen.stages.things.grasps import TIP, WIDEST, holds
 from apartgen.stages.things.solids import corners
@@ -119,3 +120,11 @@ def test_rims_handles_and_edges_are_held_from_a_table(name):
     for _ in range(6):
         asset = furniture.load_asset(small.drawn(small.TABLE[name], rng).id())
         assert any(room_for_fingers(asset, hold) for hold in holds(asset.links[0])), asset.id
+
+
+def test_a_bar_is_held_first_above_its_middle_and_else_a_quarter_of_it_aside():
+    solid = Collider("box", np.array([0.3, 0.0, 0.02]), np.array([0.2, 0.03, 0.04]))
+    bar = Link("bar", [], [solid], 0.1)
+    above = [hold for hold in holds(bar) if hold.approach[2] == -1 and hold.close[1]]
+    assert above[0].at[:2] == pytest.approx([0.3, 0.0])
+    assert sorted({round(float(hold.at[0]), 6) for hold in above}) == pytest.approx([0.25, 0.3, 0.35])

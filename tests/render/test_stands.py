@@ -1,12 +1,14 @@
 """Cameras are in free air: nothing comes nearer to them than a head is wide, and none is within a thing's box."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from digests import kept
 from trimesh import triangles as exact
 
 from apartgen.schemas.carrying import WALL
-from apartgen.stages.render import stands
+from apartgen.stages.render import route, stands
 from apartgen.stages.render.points import places
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.scene.world import world
@@ -64,3 +66,16 @@ def test_nothing_that_hangs_is_stood_in():
         x, y, z = place - np.array(hung.center)
         off = np.maximum(np.abs([c * x + s * y, c * y - s * x, z]) - np.array(hung.size) / 2, 0)
         assert np.linalg.norm(off) > HEAD - 0.01
+
+
+def test_on_its_way_the_robot_looks_to_where_it_will_be_soon(monkeypatch):
+    """Four metres to the east, three to the north, a frame a metre: 80 cm ahead is the same leg, but at the end, where
+    it looks on as it came; and 40 cm before the corner it looks to the middle of what cuts it off."""
+    corner = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]])
+    monkeypatch.setattr(route, "_through", lambda home: corner)
+    home = SimpleNamespace(room_at=lambda places: np.zeros(len(places), int))
+    looks = [(*stand.place.round(6), stand.yaw) for stand in route.along(home, 8, 0.3)]
+    east, north = 0.0, np.pi / 2
+    wanted = [(x, 0, 0.3, east) for x in range(4)] + [(4, y, 0.3, north) for y in range(4)]
+    assert looks == [pytest.approx(row) for row in wanted]
+    assert route.along(home, 36, 0.3)[18].yaw == pytest.approx(np.pi / 4), "at 3.6 m"

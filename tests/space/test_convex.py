@@ -115,3 +115,14 @@ def test_round_colliders_are_enclosed() -> None:
         assert not convex.meet(rod, convex.of([hull([0.53 * flat] * 4)]), 1e-6)
         assert convex.meet(ball, convex.of([hull([0.499 * way] * 4)]), 1e-6)
         assert not convex.meet(ball, convex.of([hull([0.8 * way] * 4)]), 1e-6)
+
+
+def test_the_way_that_parts_two_solids_leads_from_the_first_to_the_second() -> None:
+    """Along it all of the second is ahead of all of the first by the distance told."""
+    rng = np.random.default_rng(3)
+    pairs = [[rng.normal(size=(6, 3)) + k * rng.normal(size=3) * 3 for k in range(2)] for _ in range(30)]
+    a, b = (convex.of([hull(pair[k]) for pair in pairs]) for k in range(2))
+    apart, way = convex._along(a, b, np.broadcast_to(np.eye(3), (30, 3, 3)))
+    for (first, second), far, to in zip(pairs, apart, way):
+        assert (second @ to).min() - (first @ to).max() == pytest.approx(far)
+        assert far == pytest.approx(max(max(q.min() - p.max(), p.min() - q.max()) for p, q in zip(first.T, second.T)))
