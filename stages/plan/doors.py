@@ -87,7 +87,7 @@ def _columns(program: Program, floors: Floors, walls: Walls, deep: Depths) -> li
                 behind = floors[max((a, b), key=lambda room: far.get(room, 0))]
                 choices = _on_the_way(choices, _middle(entrances[0]), behind, program)
             columns.append(Column("door", [a, b], choices, head))
-    columns = _served(columns, types)
+    columns = _served(columns, types, SERVED / max(program.weights.get("privacy", 1.0), 1.0))
     columns.append(Column("entrance", [first], _about(entrances), HEAD))
     for column in columns:
         if not column.choices:
@@ -188,23 +188,24 @@ def _nearest(choices: list[Choice], entrance: Choice) -> list[Choice]:
     return sorted(dearer, key=lambda c: c.cost)
 
 
-def _served(columns: list[Column], types: dict[str, RoomType]) -> list[Column]:
-    """Columns in which doors of kitchens and of rooms where one eats cost more the farther they are apart in a hall."""
+def _served(columns: list[Column], types: dict[str, RoomType], each: float) -> list[Column]:
+    """Columns in which doors of kitchens and of rooms where one eats cost more the farther they are apart in a hall, of
+    `each` metre."""
     out = list(columns)
     for i, cooked in enumerate(columns):
         for j, eaten in enumerate(columns):
             kinds = {types[room] for room in cooked.rooms}, {types[room] for room in eaten.rooms}
             served = kinds[0] == {"kitchen", "hallway"} and kinds[1] in EATEN_IN
             if served and set(cooked.rooms) & set(eaten.rooms) and cooked.choices and eaten.choices:
-                out[i] = _nearer(out[i], out[j].choices[0])
-                out[j] = _nearer(out[j], out[i].choices[0])
+                out[i] = _nearer(out[i], out[j].choices[0], each)
+                out[j] = _nearer(out[j], out[i].choices[0], each)
     return out
 
 
-def _nearer(column: Column, other: Choice) -> Column:
-    """A column whose doors cost more the farther they are from another."""
+def _nearer(column: Column, other: Choice, each: float) -> Column:
+    """A column whose doors cost more the farther they are from another, of `each` metre."""
     away = [max(0.0, float(np.abs(_middle(c) - _middle(other)).sum()) - CARRIED) for c in column.choices]
-    dearer = [c._replace(cost=c.cost + SERVED * far) for c, far in zip(column.choices, away, strict=True)]
+    dearer = [c._replace(cost=c.cost + each * far) for c, far in zip(column.choices, away, strict=True)]
     return column._replace(choices=sorted(dearer, key=lambda c: c.cost))
 
 
