@@ -16,6 +16,19 @@ OWN_ROOMS = [
     ("We are friends, three persons, each needs own bedroom, one bathroom from the hall.", "B3 H K L W", "H1W1"),
     ("Three bedrooms, two bathrooms from the corridor.", "B3 H K L W2", "H1W1, H1W2"),
 ]  # fmt: skip
+CORNERS = [
+    ("Casa de dos plantas con piscina, cuatro dormitorios, dos baños y un despacho en la esquina noreste",
+     "B4 H K L S W2", "position S1 north_east, !position S1 corner, unread dos plantas, unread piscina, "
+     "!unread noreste, !L1 has 2 plant"),
+    ("Vivienda con dos plantas, dos dormitorios; el salón con dos plantas y un sofá.", "B2 H K L W",
+     "L1 has 2 plant, unread dos plantas"),
+    ("Piso de un dormitorio. La cocina está en la esquina suroeste.", "B H K L W", "position K1 south_west"),
+    ("Appartement deux chambres, le salon dans l'angle sud-ouest.", "B2 H K L W", "position L1 south_west"),
+    ("Appartement deux chambres, le bureau dans le coin nord-est.", "B2 H K L S W", "position S1 north_east"),
+    ("Zwei Schlafzimmer, das Arbeitszimmer in der Südostecke.", "B2 H K L S W", "position S1 south_east"),
+    ("Zwei Schlafzimmer, die Küche in der nordwestlichen Ecke.", "B2 H K L W", "position K1 north_west"),
+]  # fmt: skip
 
 test_who_sleeps_with_the_parents_has_no_room = as_meant(SLEEPS_WITH_US)
 test_each_of_those_counted_has_a_room = as_meant(OWN_ROOMS)
+test_corners_have_a_point_of_the_compass_and_homes_no_plants = as_meant(CORNERS)
