@@ -100,6 +100,18 @@ _OPEN = (
     # "Küche mit Tür"
     (r"\bkuche mit (?:einer )?(?:eigenen )?tur\b(?! (?:zu|in))", "separate kuche"),
 )  # fmt: skip
+_BETWEEN = (
+    # "one bathroom. There should be a door between the kitchen and the dining room": said of no room before
+    (r"\bthere {must} be (?=(?:an? |one |no )?(?:[a-z]+ )?doors? between )", "there is "),
+    (r"\b(?:il (?:doit|devrait|faudrait) y avoir|il faut|il y a|il y aura) une porte entre ",
+     "there is a door between "),
+    (r"\b(?:(?:debe|deberia|tiene que|puede|ha de) haber|hay|que haya|habra) una puerta entre ",
+     "there is a door between "),
+    (r"\b(?:es|da) (?:soll|sollte|muss) (?:bitte )?eine tur zwischen (?P<of>[^.,;]+?) (?:geben|sein)\b",
+     r"there is a door between \g<of>"),
+    (r"\bzwischen (?P<of>(?:de[mr] )?{de} und (?:de[mr] )?{de}) (?:soll|sollte|muss) eine tur sein\b",
+     r"there is a door between \g<of>"),
+)  # fmt: skip
 _NOT = (
     # "but not a balcony", "a balcony isn't important", "auf einen Balkon können wir verzichten"
     (r"\bbut not (?:an? )(?=(?:{kind}){end})", "but no "),
@@ -180,7 +192,7 @@ _LIMITS = (
     (r"(?P<a>{zh})的?门(?:不要|不能|不可以?|别)(?:开向|开在|朝向?|通向|对着)(?P<b>{zh})",
      r" no door between \g<a> and \g<b>"),
 )  # fmt: skip
-_SAID = rules((*_PLACES, *_BESIDE, *_OPEN, *_NOT, *_OF, *_THINGS, *_POLITE, *_LIMITS), side=_SIDE,
+_SAID = rules((*_PLACES, *_BESIDE, *_OPEN, *_BETWEEN, *_NOT, *_OF, *_THINGS, *_POLITE, *_LIMITS), side=_SIDE,
               way_in=_WAY_IN_DE, one=_ONE,
               lived_de=_LIVED_DE,
               lived=r"(?:living room|kitchen|dining room|lounge|dining area|living area)")  # fmt: skip

@@ -28,7 +28,22 @@ CORNERS = [
     ("Zwei Schlafzimmer, das Arbeitszimmer in der Südostecke.", "B2 H K L S W", "position S1 south_east"),
     ("Zwei Schlafzimmer, die Küche in der nordwestlichen Ecke.", "B2 H K L W", "position K1 north_west"),
 ]  # fmt: skip
+DOORS_BETWEEN = [
+    ("Two bedrooms, one bathroom. There should be a door between the kitchen and the dining room but none between the "
+     "kitchen and the hallway.", "B2 D H K L W", "D1K1, no_door K1 H1, !adjacent W1 K1, !adjacent W1 D1, !K1L1"),
+    ("Two bedrooms, one bathroom. There must be doors between the kitchen and the dining room.", "B2 D H K L W",
+     "D1K1, !adjacent W1 K1"),
+    ("Deux chambres, une salle de bain. Il doit y avoir une porte entre la cuisine et la salle à manger.",
+     "B2 D H K L W", "D1K1, !B1K1, !B1D1, !unread porte, !unread avoir"),
+    ("Dos dormitorios, un baño. Debe haber una puerta entre la cocina y el comedor.", "B2 D H K L W",
+     "D1K1, !B1K1, !unread puerta, !unread haber"),
+    ("Zwei Schlafzimmer, ein Bad. Es soll eine Tür zwischen Küche und Esszimmer geben.", "B2 D H K L W",
+     "D1K1, !B1K1, !unread tur, !unread geben"),
+    ("Zwei Schlafzimmer, ein Bad. Zwischen Küche und Esszimmer soll eine Tür sein.", "B2 D H K L W",
+     "D1K1, !B1K1, !unread tur"),
+]  # fmt: skip
 
 test_who_sleeps_with_the_parents_has_no_room = as_meant(SLEEPS_WITH_US)
 test_each_of_those_counted_has_a_room = as_meant(OWN_ROOMS)
 test_corners_have_a_point_of_the_compass_and_homes_no_plants = as_meant(CORNERS)
+test_a_door_that_there_should_be_is_said_of_no_room_before = as_meant(DOORS_BETWEEN)
