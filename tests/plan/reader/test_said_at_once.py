@@ -42,8 +42,17 @@ DOORS_BETWEEN = [
     ("Zwei Schlafzimmer, ein Bad. Zwischen Küche und Esszimmer soll eine Tür sein.", "B2 D H K L W",
      "D1K1, !B1K1, !unread tur"),
 ]  # fmt: skip
+SUITES = [
+    ("Une maison avec quatre chambres dont une suite parentale avec dressing et salle de bain, une autre salle de bain "
+     "pour les enfants, et un garage.", "B4 C H K L W2", "B1W1, B1C1, H1W2, unread garage"),
+    ("Quatre chambres dont une suite parentale avec salle de bain, une salle de bain pour les enfants.",
+     "B4 H K L W2", "B1W1, H1W2"),
+    ("A master suite with bathroom, two bedrooms, another bathroom.", "B3 H K L W2", "B1W1, H1W2"),
+    ("Three bedrooms including a master suite with bathroom, and a guest toilet.", "B3 H K L W3", "B1W1, H1W2"),
+]  # fmt: skip
 
 test_who_sleeps_with_the_parents_has_no_room = as_meant(SLEEPS_WITH_US)
 test_each_of_those_counted_has_a_room = as_meant(OWN_ROOMS)
 test_corners_have_a_point_of_the_compass_and_homes_no_plants = as_meant(CORNERS)
 test_a_door_that_there_should_be_is_said_of_no_room_before = as_meant(DOORS_BETWEEN)
+test_the_bathroom_of_a_suite_is_not_another_one = as_meant(SUITES)
