@@ -50,9 +50,18 @@ SUITES = [
     ("A master suite with bathroom, two bedrooms, another bathroom.", "B3 H K L W2", "B1W1, H1W2"),
     ("Three bedrooms including a master suite with bathroom, and a guest toilet.", "B3 H K L W3", "B1W1, H1W2"),
 ]  # fmt: skip
+LIVE_WITH = [
+    ("Vivo con mi madre y mi hermano, cada uno necesita su dormitorio. El baño tiene que estar al lado del cuarto de "
+     "mi madre y el lavadero debe tener puerta a la cocina.", "B3 H K L U W",
+     "adjacent W1 B1, K1U1, !H1U1, !adjacent W1 U1, !adjacent W1 K1, !unread vivo, !unread madre, !unread puerta"),
+    ("I live with my mother and my brother, each needs a bedroom. One bathroom.", "B3 H K L W", "H1W1, !unread live"),
+    ("Dos dormitorios. El cuarto de mi madre está cerca de la entrada.", "B2 H K L W", "!unread madre"),
+    ("Un dormitorio; la cocina tiene que tener acceso a la terraza.", "B H K L W Y", "K1Y1"),
+]  # fmt: skip
 
 test_who_sleeps_with_the_parents_has_no_room = as_meant(SLEEPS_WITH_US)
 test_each_of_those_counted_has_a_room = as_meant(OWN_ROOMS)
 test_corners_have_a_point_of_the_compass_and_homes_no_plants = as_meant(CORNERS)
 test_a_door_that_there_should_be_is_said_of_no_room_before = as_meant(DOORS_BETWEEN)
 test_the_bathroom_of_a_suite_is_not_another_one = as_meant(SUITES)
+test_who_lives_with_others_has_a_room_beside_theirs = as_meant(LIVE_WITH)
