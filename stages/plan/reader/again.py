@@ -13,9 +13,12 @@ _SIDES = ("north(?:[- ]?(?:east|west))?|south(?:[- ]?(?:east|west))?|east|west|n
 _ANEW = ("no wait|wait no|wait|no|nein|non|sorry|pardon|perdon|i mean|i meant|actually|correction|or rather|rather|"
          "better|besser|quatsch|plutot|mejor")  # fmt: skip
 _COUNTED = {"one": "one", "two": "one", "three": "two", "four": "three", "2": "one", "3": "two", "4": "three"}
+_FEWER = {"one": "one", "two": "one", "three": "two"}
 _PARENTS = r"(?:\b(?:we are )?(?:an? |the )?(?:couple|family|parents) (?:with|and|of) )?"
 _OLD = (r"(?:the )?(?:eldest|oldest|youngest|third|fourth|other|boy|girl|one|big one|little one|baby)"
         r"(?: (?:one|child|boy|girl|son|daughter))?")  # fmt: skip
+_WITH_US = (r"(?:sleeps?|stays?) (?:in|with) (?:us|ours|our (?:own )?(?:bed ?)?room|(?:the|his|her|its|their) parents"
+            r"(?:' (?:bed ?)?room)?)")  # fmt: skip
 _OURS = re.compile(r"\bfor us\b(?! alone)|"
                    r"\b(?:our|parents'?|master|main) (?:own )?bed ?room\b|\bbed ?room for (?:us|me)\b")
 _MIND = (r"(?:on reflection|on second thoughts?|thinking about it|come to think of it|having thought about it|actually|"
@@ -30,8 +33,12 @@ def _with_parents(found: re.Match[str], rooms: str) -> str:
 
 
 def _sharing(found: re.Match[str]) -> str:
-    """`three children: two of them share, the eldest has her own` as two rooms for them; grown people's are all."""
+    """`three children: two of them share, the eldest has her own` as two rooms for them; grown people's are all.
+
+    Whoever sleeps with the parents has none.
+    """
     rooms = _COUNTED[found["n"]]
+    rooms = _FEWER[rooms] if found["ours"] or found["and_ours"] else rooms
     return f"a flat with {rooms} bedrooms" if found["grown"] else _with_parents(found, rooms)
 
 
@@ -74,7 +81,8 @@ _SAID = rules((
      r"?(?:and |but |while )?"
      r"{old} (?:(?:has|have|gets?|needs?|wants?) (?:her|his|"
      r"their|its|an?) own(?: bed ?room| room)?|(?:has|gets|takes) the (?:smaller|bigger|small|big|other|second)(?: "
-     r"one| room| bed ?room)|sleeps? alone|is alone)", _sharing),
+     r"one| room| bed ?room)|sleeps? alone|is alone|(?P<ours>{with_us}))"
+     r"(?:,? (?:and |while |but )?{old} (?P<and_ours>{with_us}))?", _sharing),
     # "two kids, one room for both", "three children in two rooms", "one room for the two children"
     (r"\b(?:two|2|three|3|our|my) {young}(?:, | with |: ?| - )(?P<rooms>one|a|two|1|2) (?:bed ?)?rooms? for "
      r"(?:both|all|the two|all three|them|the three)(?: of them)?\b", _for_both),
@@ -92,7 +100,7 @@ _SAID = rules((
      r"(?:should|had|would|could|must|ought to|shall|will)(?: rather| better| preferably| instead)? (?:be|become) "
      r"(?:better )?(?=an? )", r"make the \1 "),
 ), things=_THINGS, same=_SAME, fixed=_FIXED, whole=_WHOLE, sides=_SIDES, anew=_ANEW, parents=_PARENTS, old=_OLD,
-    mind=_MIND)  # fmt: skip
+    mind=_MIND, with_us=_WITH_US)  # fmt: skip
 
 
 def once_more(text: str) -> str:

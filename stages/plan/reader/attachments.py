@@ -1,6 +1,6 @@
 """What belongs to one room phrase: the rooms that open off it, its furniture."""
 
-from apartgen.stages.plan.reader.belongings import OWNED_BY, belongs, is_the_suite, of_the_first
+from apartgen.stages.plan.reader.belongings import OWNED_BY, belongs, beside_another, is_the_suite, of_the_first
 from apartgen.stages.plan.reader.clausal import ahead, several_new
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.statements import Said
@@ -218,7 +218,10 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
             owner.object_count = int(item.number)
         elif item.room is not None and is_the_suite(owner, item.room, bare, first):
             pass  # "master suite (bedroom, bathroom)", "the master suite has a bedroom and a bathroom"
-        elif item.room is not None and belongs(owner, item, first, items[k + 1 : k + 2], bare):
+        elif item.room is not None and (
+            belongs(owner, item, first, items[k + 1 : k + 2], bare)
+            or (not bare and beside_another(owner, item.room, items[k + 1 :]))
+        ):
             if not item.room.negated:
                 owner.owned.append(item.room)
                 if _each_after(items, k):

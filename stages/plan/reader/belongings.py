@@ -81,5 +81,13 @@ def _dressed(owner: RoomPhrase) -> bool:
     return (owner.quantifier == Det.EACH or main) and [o.type for o in owner.owned] == ["closet"]
 
 
+def beside_another(owner: RoomPhrase, bath: RoomPhrase, after: list[Item]) -> bool:
+    """`a suite with dressing room and bathroom, another bathroom`: the first is that of the suite."""
+    suite = Trait.SUITE in owner.labels and not owner.plural and all(o.type == "closet" for o in owner.owned)
+    suite = suite and bath.type == "bathroom" and bath.count in (None, 1)
+    others = [i.room for i in after if i.room is not None and i.room.type == "bathroom"]
+    return suite and not bath.labels and any(Trait.HALF not in other.labels for other in others)
+
+
 def _each_follows(after: list[Item]) -> bool:
     return bool(after) and after[0].room is not None and after[0].room.quantifier == Det.EACH

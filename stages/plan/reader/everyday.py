@@ -2,12 +2,14 @@
 
 import re
 
+from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import KIND, reworded, rules
 
 _WAY_IN_DE = r"(?:eingang|eingangstur|wohnungstur|haustur|tur)"
 _SIDE = r"(?:norte|sur|este|oeste|noreste|noroeste|sureste|suroeste)"
 _ONE = r"(?:one|a|an|the same|a single|one single|one big|one large)"
+_GRATEFUL = r"(?:i|we)(?: would| will|'d|'ll) be (?:very |most |so )?(?:grateful|happy|glad|thankful|pleased)"
 _LIVED_DE = r"(?:kuche|wohnzimmer|esszimmer|essbereich|wohnraum)"
 
 _OF_IT = late(rf"({KIND})[^.;]*?\b(?:left|right|north|south|east|west) of it\b")
@@ -23,6 +25,20 @@ def _not_through(found: re.Match[str]) -> str:
     """`reach the bath from the bedrooms without crossing the lounge`: the bath has no door to it."""
     more = f". {found['home']}" if found["home"] else ""
     return f"{found['of']} must not open into {found['by']}{more}"
+
+
+def _signed(found: re.Match[str]) -> str:
+    """`thanks, Anna`: a name, unless the reader knows the word."""
+    return found.group() if (found["name"],) in read_lexicon().entries else ""
+
+
+def _whose_most(found: re.Match[str]) -> str:
+    """`the biggest one is for my parents`: theirs is the biggest."""
+    who = found["who"].split()[-1]
+    room = {"guests": "guest room", "visitors": "guest room", "parents": "parents' bedroom", "us": "parents' bedroom",
+            "me": "parents' bedroom"}.get(who, "kids room")  # fmt: skip
+    more = f". the {room}{found['more'].removeprefix(' and')}" if found["more"] else ""
+    return f"{found['said']}the {room} is the {found['most']} of the bedrooms{more}"
 
 
 _PLACES = (
@@ -100,6 +116,18 @@ _OPEN = (
     # "Küche mit Tür"
     (r"\bkuche mit (?:einer )?(?:eigenen )?tur\b(?! (?:zu|in))", "separate kuche"),
 )  # fmt: skip
+_BETWEEN = (
+    # "one bathroom. There should be a door between the kitchen and the dining room": said of no room before
+    (r"\bthere {must} be (?=(?:an? |one |no )?(?:[a-z]+ )?doors? between )", "there is "),
+    (r"\b(?:il (?:doit|devrait|faudrait) y avoir|il faut|il y a|il y aura) une porte entre ",
+     "there is a door between "),
+    (r"\b(?:(?:debe|deberia|tiene que|puede|ha de) haber|hay|que haya|habra) una puerta entre ",
+     "there is a door between "),
+    (r"\b(?:es|da) (?:soll|sollte|muss) (?:bitte )?eine tur zwischen (?P<of>[^.,;]+?) (?:geben|sein)\b",
+     r"there is a door between \g<of>"),
+    (r"\bzwischen (?P<of>(?:de[mr] )?{de} und (?:de[mr] )?{de}) (?:soll|sollte|muss) eine tur sein\b",
+     r"there is a door between \g<of>"),
+)  # fmt: skip
 _NOT = (
     # "but not a balcony", "a balcony isn't important", "auf einen Balkon können wir verzichten"
     (r"\bbut not (?:an? )(?=(?:{kind}){end})", "but no "),
@@ -114,6 +142,11 @@ _NOT = (
     (r"\b(?:je|nous|on) ne (?:veux|voulons|veut|souhaite|souhaitons|desire) pas (?=de |d')", "pas "),
 )  # fmt: skip
 _OF = (
+    # "three bedrooms; the biggest one is for my parents and has a closet"
+    (r"(?P<said>\b{several} bed ?rooms\b[^.]*?[;:,.] ?)(?:and )?the (?P<most>biggest|largest|smallest)"
+     r"(?: one| bed ?room)? (?:is|will be|should be) for (?P<who>(?:my |our |the )?"
+     r"(?:parents|guests|visitors|baby|kids|children|son|daughter)|us|"
+     r"my (?:wife|husband|partner) and me)\b(?P<more> and (?:has|gets|needs) )?", _whose_most),
     # "25 square meters of living room and 10 of kitchen", "25平方米的客厅", "客厅面积25平方米"
     (r"\b(?P<n>{amount}) ?{unit} of (?P<of>{kind})\b", r"\g<of> of \g<n> m2"),
     (r"(?<= m2) and (?P<n>{amount}) of (?P<of>{kind})\b", r" and \g<of> of \g<n> m2"),
@@ -143,8 +176,11 @@ _POLITE = (
      r"un saludo|saludos|atentamente)\b[,.]? ?(?:[a-z]+ ?){0,2}[.!]?$", ""),
     (r"\b(?:thanks?|thank you|danke|merci|gracias)(?: a lot| very much)? "
      r"(?:in advance|im voraus|d'avance|de antemano)\b", ""),
-    (r"^(?:dear (?:architect|sir|madam|all|team|designer)s?|good (?:morning|afternoon|evening|day)|greetings)\b,? ?",
-     ""),
+    (r"\b(?:many |a thousand )?(?:thanks|thank you|danke|merci|gracias), (?P<name>[a-z]+)[.!]?$", _signed),
+    (r"\b{grateful} if (?P<of>the {kind}) (?:had|could have|would have)\b", r"\g<of> has"),
+    (r"\b{grateful} (?:if|for)\b", ""),
+    (r"^(?:dear (?:sir(?: or |/)madam|architect|sir|madam|all|team|designer)s?|"
+     r"good (?:morning|afternoon|evening|day)|greetings)\b,? ?", ""),
     (r"\bme gustaria(?:n)?\b", "quiero"), (r"(?:你好|您好|谢谢您?|多谢|麻烦你?|请?帮我们?(?=设计|画|做))", ""),
     # "an office/guest room", "an extra bedroom for visitors"
     (r"\b(?P<of>(?:home )?office|study) ?/ ?(?=guest (?:bed)?room)", r"\g<of> which also serves as a "),
@@ -180,8 +216,8 @@ _LIMITS = (
     (r"(?P<a>{zh})的?门(?:不要|不能|不可以?|别)(?:开向|开在|朝向?|通向|对着)(?P<b>{zh})",
      r" no door between \g<a> and \g<b>"),
 )  # fmt: skip
-_SAID = rules((*_PLACES, *_BESIDE, *_OPEN, *_NOT, *_OF, *_THINGS, *_POLITE, *_LIMITS), side=_SIDE,
-              way_in=_WAY_IN_DE, one=_ONE,
+_SAID = rules((*_PLACES, *_BESIDE, *_OPEN, *_BETWEEN, *_NOT, *_OF, *_THINGS, *_POLITE, *_LIMITS), side=_SIDE,
+              way_in=_WAY_IN_DE, one=_ONE, grateful=_GRATEFUL,
               lived_de=_LIVED_DE,
               lived=r"(?:living room|kitchen|dining room|lounge|dining area|living area)")  # fmt: skip
 

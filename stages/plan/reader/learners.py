@@ -101,6 +101,12 @@ _SAID = rules((
      r"the \1 has a door to the \2"),
     (r",? (?:but|and) (?:in|into|to) (?:the )?({room}) only from (?:the )?({room}){end}",
      r". the \1 is reached only from the \2"),
+    # "we are students, four peoples, everyone wants own room", "two bathrooms from the corridor"
+    (r"\bpeoples\b", "people"),
+    (r"\bwe are {grown}, ({number}) (?=(?:{grown}|of us)\b)", r"we are \1 "),
+    (r"(\b(?:bed|bath) ?rooms?|\btoilets?) from (?=(?:the )?{hall}{end})", r"\1 off "),
+    # "kitchen is open with salon"
+    (r"(?<!not )\bopen with (?=(?:the |our )?(?:salon|living|lounge|sitting|dining|kitchen|hall))", "open to "),
     # "flat for three person, each person must have own room"
     (r"\b({several}) person\b(?![ -](?:flat|family|household|home|apartment|house|bed))", r"\1 persons"),
     (r"\beach (?:person|people|one|of them|of us|of you)? ?(?:must |should |has to |have to |needs? to |will )?"

@@ -169,7 +169,7 @@ def _each_of(text: str) -> tuple[str, list[str]]:
         if len(kinds) > 1 or kinds & {"couple", "spouse"}:
             rooms = [rooms_for(one, number_of(one) or (2 if several(one) else 1)) for one in groups]
             return " and ".join(rooms) + ", each"
-        count = sum(number_of(one) or (2 if several(one) else 1) for one in groups)
+        count = sum(number_of(one) or (2 if several(one) else 1) for one in groups) + bool(match["me"])
         return f"{count} {ROOM[kinds.pop()]}s"
 
     def apart(match: re.Match[str]) -> str:
@@ -188,7 +188,8 @@ def _each_of(text: str) -> tuple[str, list[str]]:
         "(?:(?:and )?(?:we )?(?:want|would like|need) )?(?:{every}|both|beide|all)(?: one)?(?: of them)? ?"
         "(?:to )?{need} ?{article}*{room}"
     )
-    text = pattern(group + own, unnamed=True).sub(together, text)
+    living = "(?P<me>\\b(?:i live (?:together )?with|vivo (?:junto )?con|ich (?:wohne|lebe) mit|je vis avec) )?"
+    text = pattern(living + group + own, unnamed=True).sub(together, text)
     one = "(?:one|kind|enfant|hijo|hija|student|person|child|kid|friend|flatmate|roommate|adult|resident)"
     every = f"(?:they )?{{every}}(?: {one})?(?: of (?:them|us|you))?"
     gap = "(?P<between>[^.;:]{0,40}?)(?P<mark>[,.;:]| -) ?(?:and )?" + every + " ?{need} ?{article}*{room}"
