@@ -25,6 +25,15 @@ def _not_through(found: re.Match[str]) -> str:
     return f"{found['of']} must not open into {found['by']}{more}"
 
 
+def _whose_most(found: re.Match[str]) -> str:
+    """`the biggest one is for my parents`: theirs is the biggest."""
+    who = found["who"].split()[-1]
+    room = {"guests": "guest room", "visitors": "guest room", "parents": "parents' bedroom", "us": "parents' bedroom",
+            "me": "parents' bedroom"}.get(who, "kids room")  # fmt: skip
+    more = f". the {room}{found['more'].removeprefix(' and')}" if found["more"] else ""
+    return f"{found['said']}the {room} is the {found['most']} of the bedrooms{more}"
+
+
 _PLACES = (
     # "con orientación norte", "avec exposition sud", "mit Nordausrichtung"
     (r"\bcon (?:una )?orientacion (?:al |hacia el )?(?=(?:{side})\b)", "orientada al "),
@@ -126,6 +135,11 @@ _NOT = (
     (r"\b(?:je|nous|on) ne (?:veux|voulons|veut|souhaite|souhaitons|desire) pas (?=de |d')", "pas "),
 )  # fmt: skip
 _OF = (
+    # "three bedrooms; the biggest one is for my parents and has a closet"
+    (r"(?P<said>\b{several} bed ?rooms\b[^.]*?[;:,.] ?)(?:and )?the (?P<most>biggest|largest|smallest)"
+     r"(?: one| bed ?room)? (?:is|will be|should be) for (?P<who>(?:my |our |the )?"
+     r"(?:parents|guests|visitors|baby|kids|children|son|daughter)|us|"
+     r"my (?:wife|husband|partner) and me)\b(?P<more> and (?:has|gets|needs) )?", _whose_most),
     # "25 square meters of living room and 10 of kitchen", "25平方米的客厅", "客厅面积25平方米"
     (r"\b(?P<n>{amount}) ?{unit} of (?P<of>{kind})\b", r"\g<of> of \g<n> m2"),
     (r"(?<= m2) and (?P<n>{amount}) of (?P<of>{kind})\b", r" and \g<of> of \g<n> m2"),

@@ -58,6 +58,13 @@ LIVE_WITH = [
     ("Dos dormitorios. El cuarto de mi madre está cerca de la entrada.", "B2 H K L W", "!unread madre"),
     ("Un dormitorio; la cocina tiene que tener acceso a la terraza.", "B H K L W Y", "K1Y1"),
 ]  # fmt: skip
+BIGGEST_FOR = [
+    ("The flat has three bedrooms; the biggest one is for my parents and has a walk-in closet, the other two are for "
+     "me and my brother. One bathroom for all of us.", "B3 C H K L W",
+     "order B1 B2 larger, order B1 B3 larger, B1C1, H1W1"),
+    ("Three bedrooms, the biggest is for us.", "B3 H K L W2", "order B1 B2 larger, order B1 B3 larger"),
+    ("Two bedrooms; the smallest one is for guests.", "B2 H K L W", "order B2 B1 smaller, !unread guests"),
+]  # fmt: skip
 
 test_who_sleeps_with_the_parents_has_no_room = as_meant(SLEEPS_WITH_US)
 test_each_of_those_counted_has_a_room = as_meant(OWN_ROOMS)
@@ -65,3 +72,4 @@ test_corners_have_a_point_of_the_compass_and_homes_no_plants = as_meant(CORNERS)
 test_a_door_that_there_should_be_is_said_of_no_room_before = as_meant(DOORS_BETWEEN)
 test_the_bathroom_of_a_suite_is_not_another_one = as_meant(SUITES)
 test_who_lives_with_others_has_a_room_beside_theirs = as_meant(LIVE_WITH)
+test_the_biggest_bedroom_is_of_those_it_is_for = as_meant(BIGGEST_FOR)
