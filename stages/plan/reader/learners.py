@@ -105,6 +105,8 @@ _SAID = rules((
     (r"\bpeoples\b", "people"),
     (r"\bwe are {grown}, ({number}) (?=(?:{grown}|of us)\b)", r"we are \1 "),
     (r"(\b(?:bed|bath) ?rooms?|\btoilets?) from (?=(?:the )?{hall}{end})", r"\1 off "),
+    # "kitchen is open with salon"
+    (r"(?<!not )\bopen with (?=(?:the |our )?(?:salon|living|lounge|sitting|dining|kitchen|hall))", "open to "),
     # "flat for three person, each person must have own room"
     (r"\b({several}) person\b(?![ -](?:flat|family|household|home|apartment|house|bed))", r"\1 persons"),
     (r"\beach (?:person|people|one|of them|of us|of you)? ?(?:must |should |has to |have to |needs? to |will )?"

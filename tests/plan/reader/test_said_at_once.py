@@ -65,6 +65,11 @@ BIGGEST_FOR = [
     ("Three bedrooms, the biggest is for us.", "B3 H K L W2", "order B1 B2 larger, order B1 B3 larger"),
     ("Two bedrooms; the smallest one is for guests.", "B2 H K L W", "order B2 B1 smaller, !unread guests"),
 ]  # fmt: skip
+OPEN_WITH = [
+    ("I want make apartment for 2 persons with 1 sleeping room, 1 bath, kitchen is open with salon", "B H K L W",
+     "K1~L1, K1L1, B1H1, H1W1, H1L1"),
+    ("Two bedrooms, the kitchen should be open with the dining room.", "B2 D H K L W", "D1~K1"),
+]  # fmt: skip
 
 test_who_sleeps_with_the_parents_has_no_room = as_meant(SLEEPS_WITH_US)
 test_each_of_those_counted_has_a_room = as_meant(OWN_ROOMS)
@@ -73,3 +78,4 @@ test_a_door_that_there_should_be_is_said_of_no_room_before = as_meant(DOORS_BETW
 test_the_bathroom_of_a_suite_is_not_another_one = as_meant(SUITES)
 test_who_lives_with_others_has_a_room_beside_theirs = as_meant(LIVE_WITH)
 test_the_biggest_bedroom_is_of_those_it_is_for = as_meant(BIGGEST_FOR)
+test_a_kitchen_is_open_with_what_it_is_open_to = as_meant(OPEN_WITH)
