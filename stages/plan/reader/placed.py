@@ -142,6 +142,7 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     told = j > 2 and items[j - 3].kind in ("link", "front")  # "next to the kitchen and the lounge in the corner"
     listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].kind in ("room", "object")
     listed = listed and not _led_to(items, j - 5)
+    listed = listed or (j > 2 and items[j - 3].value == "plus" and first.quantifier == Det.A)
     single = items[k].text.startswith(("is ", *SINGULAR)) or (j > 2 and bool(side_of(items[j - 3])))
     if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
         return [last]  # "an office and a balcony facing south"

@@ -70,6 +70,14 @@ OPEN_WITH = [
      "K1~L1, K1L1, B1H1, H1W1, H1L1"),
     ("Two bedrooms, the kitchen should be open with the dining room.", "B2 D H K L W", "D1~K1"),
 ]  # fmt: skip
+NEAR_LAST = [
+    ("We are looking for a house with four bedrooms, two of them with ensuite bathrooms, plus a family bathroom and a "
+     "guest toilet next to the front door.", "B4 H K L W4", "near W4 entrance, !near W3 entrance"),
+    ("Two bedrooms plus a study and a storage room near the entrance.", "B2 H K L S T W",
+     "near T1 entrance, !near S1 entrance"),
+    ("The study and the guest toilet should be near the entrance. Two bedrooms.", "B2 H K L S W2",
+     "near S1 entrance, near W1 entrance"),
+]  # fmt: skip
 
 test_who_sleeps_with_the_parents_has_no_room = as_meant(SLEEPS_WITH_US)
 test_each_of_those_counted_has_a_room = as_meant(OWN_ROOMS)
@@ -79,3 +87,4 @@ test_the_bathroom_of_a_suite_is_not_another_one = as_meant(SUITES)
 test_who_lives_with_others_has_a_room_beside_theirs = as_meant(LIVE_WITH)
 test_the_biggest_bedroom_is_of_those_it_is_for = as_meant(BIGGEST_FOR)
 test_a_kitchen_is_open_with_what_it_is_open_to = as_meant(OPEN_WITH)
+test_the_last_of_what_comes_on_top_is_near_the_entrance = as_meant(NEAR_LAST)
