@@ -2,7 +2,7 @@
 
 import re
 
-from apartgen.stages.plan.reader.pieces import reworded, rules
+from apartgen.stages.plan.reader.pieces import ELDER, reworded, rules
 
 _COUNTS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "zwei": 2, "drei": 3, "vier": 4,
            "deux": 2, "trois": 3, "quatre": 4, "dos": 2, "tres": 3, "cuatro": 4, "一": 1, "两": 2, "二": 2, "三": 3,
@@ -143,7 +143,7 @@ _SAID = rules((
      r"dormitorio)s?\b", r"\1\2 with two bedrooms"),
     (r"(\bmy parents(?! ?').*?\b(?:near|next to|beside|close to|off|opposite) )their (?:bed ?)?room\b",
      r"\1the parents' bedroom"),
-    (r"\b(?:for )?(?:(?:someone|somebody|a person|one person),? )?(?:who (?:is )?)?(?:lives|living) "
+    (r"\b(?:for )?(?:(?:someone|somebody|a person|one person|(?:my|our) {elder}),? )?(?:who (?:is )?)?(?:lives|living) "
      r"(?:alone|(?:on|by) (?:their|his|her|my) own|by (?:him|her|them|my)sel(?:f|ves))\b", "for one person"),
     # "flat with living room where is the kitchen inside"
     (r"\b(living room|lounge|salon) (?:where (?:there )?(?:is )?(?:the |a )?kitchen (?:is )?(?:inside|in it)|"
@@ -223,7 +223,7 @@ _SAID = rules((
     (r"长(?:长)?的?走廊", " long corridor "),
     # "les pièces de vie à l'avant"
     (r"\b(?:les )?pieces (?:de vie|a vivre)\b", "le salon et la cuisine"),
-), near=r"(?:near(?: to)?|next to|close to|beside|by|in|off|at)",
+), elder=ELDER, near=r"(?:near(?: to)?|next to|close to|beside|by|in|off|at)",
    sharers=_SHARERS, own_bath=_OWN_BATH, dorm=_DORM, sleepers=_SLEEPERS,
    one_of="una de ellas|uno de ellos|dont une?|davon eine?s?|eine?s davon|une? d'(?:elles|entre elles)")  # fmt: skip
 

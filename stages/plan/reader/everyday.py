@@ -2,12 +2,14 @@
 
 import re
 
+from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import KIND, reworded, rules
 
 _WAY_IN_DE = r"(?:eingang|eingangstur|wohnungstur|haustur|tur)"
 _SIDE = r"(?:norte|sur|este|oeste|noreste|noroeste|sureste|suroeste)"
 _ONE = r"(?:one|a|an|the same|a single|one single|one big|one large)"
+_GRATEFUL = r"(?:i|we)(?: would| will|'d|'ll) be (?:very |most |so )?(?:grateful|happy|glad|thankful|pleased)"
 _LIVED_DE = r"(?:kuche|wohnzimmer|esszimmer|essbereich|wohnraum)"
 
 _OF_IT = late(rf"({KIND})[^.;]*?\b(?:left|right|north|south|east|west) of it\b")
@@ -23,6 +25,11 @@ def _not_through(found: re.Match[str]) -> str:
     """`reach the bath from the bedrooms without crossing the lounge`: the bath has no door to it."""
     more = f". {found['home']}" if found["home"] else ""
     return f"{found['of']} must not open into {found['by']}{more}"
+
+
+def _signed(found: re.Match[str]) -> str:
+    """`thanks, Anna`: a name, unless the reader knows the word."""
+    return found.group() if (found["name"],) in read_lexicon().entries else ""
 
 
 def _whose_most(found: re.Match[str]) -> str:
@@ -169,8 +176,11 @@ _POLITE = (
      r"un saludo|saludos|atentamente)\b[,.]? ?(?:[a-z]+ ?){0,2}[.!]?$", ""),
     (r"\b(?:thanks?|thank you|danke|merci|gracias)(?: a lot| very much)? "
      r"(?:in advance|im voraus|d'avance|de antemano)\b", ""),
-    (r"^(?:dear (?:architect|sir|madam|all|team|designer)s?|good (?:morning|afternoon|evening|day)|greetings)\b,? ?",
-     ""),
+    (r"\b(?:many |a thousand )?(?:thanks|thank you|danke|merci|gracias), (?P<name>[a-z]+)[.!]?$", _signed),
+    (r"\b{grateful} if (?P<of>the {kind}) (?:had|could have|would have)\b", r"\g<of> has"),
+    (r"\b{grateful} (?:if|for)\b", ""),
+    (r"^(?:dear (?:sir(?: or |/)madam|architect|sir|madam|all|team|designer)s?|"
+     r"good (?:morning|afternoon|evening|day)|greetings)\b,? ?", ""),
     (r"\bme gustaria(?:n)?\b", "quiero"), (r"(?:你好|您好|谢谢您?|多谢|麻烦你?|请?帮我们?(?=设计|画|做))", ""),
     # "an office/guest room", "an extra bedroom for visitors"
     (r"\b(?P<of>(?:home )?office|study) ?/ ?(?=guest (?:bed)?room)", r"\g<of> which also serves as a "),
@@ -207,7 +217,7 @@ _LIMITS = (
      r" no door between \g<a> and \g<b>"),
 )  # fmt: skip
 _SAID = rules((*_PLACES, *_BESIDE, *_OPEN, *_BETWEEN, *_NOT, *_OF, *_THINGS, *_POLITE, *_LIMITS), side=_SIDE,
-              way_in=_WAY_IN_DE, one=_ONE,
+              way_in=_WAY_IN_DE, one=_ONE, grateful=_GRATEFUL,
               lived_de=_LIVED_DE,
               lived=r"(?:living room|kitchen|dining room|lounge|dining area|living area)")  # fmt: skip
 

@@ -1,6 +1,6 @@
 """Who shares a room and who sleeps with the parents, rooms told of behind others, corners and storeys."""
 
-from sentences.facts import as_meant
+from sentences.facts import as_meant, however_said
 
 SLEEPS_WITH_US = [
     ("We are a family with three kids; two of them share a room and the baby sleeps in ours. We also need a pantry "
@@ -78,6 +78,35 @@ NEAR_LAST = [
     ("The study and the guest toilet should be near the entrance. Two bedrooms.", "B2 H K L S W2",
      "near S1 entrance, near W1 entrance"),
 ]  # fmt: skip
+SMALL_TALK = {
+    ("B2 H K L S W", "S1 has 2 desk, S1 has 1 bookshelf"): (
+        "Hello, could you please draw me a flat with two bedrooms and a home office? I would be grateful if the office "
+        "had two desks and a bookcase. Many thanks, Anna",
+    ),
+    ("B D H K L W2", "D1~L1"): (
+        "Dear Sir or Madam, please prepare a one-bedroom apartment. The dining room should be open to the living room. "
+        "One bathroom and a guest WC.",
+    ),
+    ("B2 H K L W", "B1H1, B2H1"): (
+        "Könnten Sie mir bitte eine Dreizimmerwohnung planen? Vielen Dank!",
+        "Buenas tardes, ¿podrían hacerme un plano de una casa con dos habitaciones y un baño? Muchas gracias.",
+        "Bonjour, il nous faut un appartement avec deux chambres. Merci, Luc",
+        "My wife and I live with our son, who needs his own bedroom. One bathroom.",
+    ),
+    ("B H K L W", "orientation L1 west"): (
+        "Good morning, I would like to order a plan for my mother, who lives alone. She needs one bedroom and a living "
+        "room facing west please.",
+    ),
+    ("B2 H K L W3", "B1W1, B2W2"): (
+        "Una casa con dos habitaciones, cada una con su propio baño, y un aseo para las visitas.",
+    ),
+    ("B H K L S W", "at_most H1 length 4"): (
+        "One bedroom, one bathroom, a study. The whole apartment must stay under 70 m2, and the hallway should be no "
+        "longer than 4 m.",
+    ),
+    ("B3 H K L W", "B1H1"): ("Three bedrooms, one bathroom, thanks, Ben",),
+    ("B3 H K L W Y", "B1H1"): ("Three bedrooms, one bathroom, thanks, balcony",),
+}  # fmt: skip
 
 test_who_sleeps_with_the_parents_has_no_room = as_meant(SLEEPS_WITH_US)
 test_each_of_those_counted_has_a_room = as_meant(OWN_ROOMS)
@@ -88,3 +117,4 @@ test_who_lives_with_others_has_a_room_beside_theirs = as_meant(LIVE_WITH)
 test_the_biggest_bedroom_is_of_those_it_is_for = as_meant(BIGGEST_FOR)
 test_a_kitchen_is_open_with_what_it_is_open_to = as_meant(OPEN_WITH)
 test_the_last_of_what_comes_on_top_is_near_the_entrance = as_meant(NEAR_LAST)
+test_small_talk_is_not_told = however_said(SMALL_TALK)
