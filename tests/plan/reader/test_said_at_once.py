@@ -53,8 +53,11 @@ SUITES = [
 LIVE_WITH = [
     ("Vivo con mi madre y mi hermano, cada uno necesita su dormitorio. El baño tiene que estar al lado del cuarto de "
      "mi madre y el lavadero debe tener puerta a la cocina.", "B3 H K L U W",
-     "adjacent W1 B1, K1U1, !H1U1, !adjacent W1 U1, !adjacent W1 K1, !unread vivo, !unread madre, !unread puerta"),
+     "adjacent W1 B1, !adjacent W1 B2, K1U1, !H1U1, !adjacent W1 U1, "
+     "!adjacent W1 K1, !unread vivo, !unread madre, !unread puerta"),
     ("I live with my mother and my brother, each needs a bedroom. One bathroom.", "B3 H K L W", "H1W1, !unread live"),
+    ("I live with my mother and my brother, each needs a bedroom. My mother's room is next to the bathroom, my "
+     "mother's room has a balcony. One bathroom.", "B3 H K L W Y", "adjacent B1 W1, !adjacent B2 W1, B1Y1, !B2Y1"),
     ("Dos dormitorios. El cuarto de mi madre está cerca de la entrada.", "B2 H K L W", "!unread madre"),
     ("Un dormitorio; la cocina tiene que tener acceso a la terraza.", "B H K L W Y", "K1Y1"),
 ]  # fmt: skip
