@@ -12,7 +12,7 @@ SLEEPS_WITH_US = [
 ]  # fmt: skip
 OWN_ROOMS = [
     ("We are students, four peoples, everyone wants own room, two bathrooms from the corridor, one common kitchen and "
-     "no living room please", "B4 H K W2", "H1W1, H1W2, H1K1, B3H1, B4H1, !B1W1, !unread students, !unread four"),
+     "no living room please", "B4 H K W2", "H1W1, H1W2, H1K1, B3H1, B4H1, !B1W1, !K1W1, !unread students"),
     ("We are friends, three persons, each needs own bedroom, one bathroom from the hall.", "B3 H K L W", "H1W1"),
     ("Three bedrooms, two bathrooms from the corridor.", "B3 H K L W2", "H1W1, H1W2"),
 ]  # fmt: skip
