@@ -119,9 +119,9 @@ _OPEN = (
 _BETWEEN = (
     # "one bathroom. There should be a door between the kitchen and the dining room": said of no room before
     (r"\bthere {must} be (?=(?:an? |one |no )?(?:[a-z]+ )?doors? between )", "there is "),
-    (r"\b(?:il (?:doit|devrait|faudrait) y avoir|il faut|il y a|il y aura) une porte entre ",
+    (r"\b(?:il (?:doit|devrait|faudrait) y avoir|il faut|il y a|il y aura) une porte entre (?=l[ae] |l')",
      "there is a door between "),
-    (r"\b(?:(?:debe|deberia|tiene que|puede|ha de) haber|hay|que haya|habra) una puerta entre ",
+    (r"\b(?:(?:debe|deberia|tiene que|puede|ha de) haber|hay|que haya|habra) una puerta entre (?=el |la )",
      "there is a door between "),
     (r"\b(?:es|da) (?:soll|sollte|muss) (?:bitte )?eine tur zwischen (?P<of>[^.,;]+?) (?:geben|sein)\b",
      r"there is a door between \g<of>"),

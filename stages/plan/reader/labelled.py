@@ -1,5 +1,6 @@
 """Rooms told apart by what they are: the guest bathroom, two children's rooms."""
 
+import re
 from typing import TYPE_CHECKING
 
 from apartgen.stages.plan.reader.entity import DISTINCT, OTHERS, Entity
@@ -13,7 +14,8 @@ if TYPE_CHECKING:
 
 
 WHOSE = (("boy", "son"), ("girl", "daughter"), ("twin",), ("bab", "nursery", "toddler"), ("teen",),
-         ("grandm", "granny", "nan"), ("grandf", "grandpa"), ("mother", "mum", "mom"), ("father", "dad"))  # fmt: skip
+         ("grandm", "granny", "nan"), ("grandf", "grandpa"), ("mother", "mum", "mom", "madre"),
+         ("father", "dad", "padre"))  # fmt: skip
 """Words of people whose rooms are not one another's."""
 
 
@@ -28,7 +30,17 @@ def _of_others(text: str, name: str) -> bool:
 
 
 def _whose(text: str) -> int | None:
-    return next((k for k, words in enumerate(WHOSE) if text.startswith(words)), None)
+    who = re.sub(r".* de (?:mi|la|el) ", "", text)  # "cuarto de mi madre"
+    return next((k for k, words in enumerate(WHOSE) if who.startswith(words)), None)
+
+
+def _of_one(phrase: RoomPhrase, known: list[Entity]) -> list[Entity]:
+    """`my mother's room`, where several are told to be relatives': one of them, from now on hers."""
+    if phrase.plural or _whose(phrase.text) is None or len(known) < 2:
+        return known
+    for room in (free := [e for e in known if _whose(e.name) is None][:1]):
+        room.name = phrase.text
+    return free or known
 
 
 def told_apart(phrase: RoomPhrase, known: list[Entity]) -> list[Entity] | None:
@@ -59,7 +71,7 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
         id(phrase) in home.mentions and phrase.quantifier != Det.ANOTHER
     )
     if known and again and phrase.count is None:
-        return known
+        return _of_one(phrase, known)
     if known and phrase.count and all(e.vague for e in known):
         return known[:count] + home.add(phrase.type, count - len(known), labels=set(labels))
     if labels in ({Trait.SIZED}, {Trait.FAMILY}):

@@ -12,7 +12,7 @@ SLEEPS_WITH_US = [
 ]  # fmt: skip
 OWN_ROOMS = [
     ("We are students, four peoples, everyone wants own room, two bathrooms from the corridor, one common kitchen and "
-     "no living room please", "B4 H K W2", "H1W1, H1W2, H1K1, B3H1, B4H1, !B1W1, !unread students, !unread four"),
+     "no living room please", "B4 H K W2", "H1W1, H1W2, H1K1, B3H1, B4H1, !B1W1, !K1W1, !unread students"),
     ("We are friends, three persons, each needs own bedroom, one bathroom from the hall.", "B3 H K L W", "H1W1"),
     ("Three bedrooms, two bathrooms from the corridor.", "B3 H K L W2", "H1W1, H1W2"),
 ]  # fmt: skip
@@ -53,8 +53,11 @@ SUITES = [
 LIVE_WITH = [
     ("Vivo con mi madre y mi hermano, cada uno necesita su dormitorio. El baño tiene que estar al lado del cuarto de "
      "mi madre y el lavadero debe tener puerta a la cocina.", "B3 H K L U W",
-     "adjacent W1 B1, K1U1, !H1U1, !adjacent W1 U1, !adjacent W1 K1, !unread vivo, !unread madre, !unread puerta"),
+     "adjacent W1 B1, !adjacent W1 B2, K1U1, !H1U1, !adjacent W1 U1, "
+     "!adjacent W1 K1, !unread vivo, !unread madre, !unread puerta"),
     ("I live with my mother and my brother, each needs a bedroom. One bathroom.", "B3 H K L W", "H1W1, !unread live"),
+    ("I live with my mother and my brother, each needs a bedroom. My mother's room is next to the bathroom, my "
+     "mother's room has a balcony. One bathroom.", "B3 H K L W Y", "adjacent B1 W1, !adjacent B2 W1, B1Y1, !B2Y1"),
     ("Dos dormitorios. El cuarto de mi madre está cerca de la entrada.", "B2 H K L W", "!unread madre"),
     ("Un dormitorio; la cocina tiene que tener acceso a la terraza.", "B H K L W Y", "K1Y1"),
 ]  # fmt: skip
