@@ -18,7 +18,7 @@ def several(program: Program, config: PlanConfig, rng: Generator, k: int) -> lis
     marks = [touching(plan) for plan in plans]
     taken = [0]
     while len(taken) < k:
-        far = [min(difference(mark, marks[t]) for t in taken) for mark in marks]
+        far = [-1.0 if i in taken else min(difference(mark, marks[t]) for t in taken) for i, mark in enumerate(marks)]
         taken.append(int(np.argmax(far)))
     return [plans[t] for t in taken]
 
