@@ -17,6 +17,8 @@ WHOSE = (("boy", "son"), ("girl", "daughter"), ("twin",), ("bab", "nursery", "to
          ("grandm", "granny", "nan"), ("grandf", "grandpa"), ("mother", "mum", "mom", "madre"),
          ("father", "dad", "padre"))  # fmt: skip
 """Words of people whose rooms are not one another's."""
+GROWN = 5
+"""From here on they are no children."""
 
 
 POSSESSIVE = ("my", "our", "his", "her")
@@ -36,7 +38,7 @@ def _whose(text: str) -> int | None:
 
 def _of_one(phrase: RoomPhrase, known: list[Entity]) -> list[Entity]:
     """`my mother's room`, where several are told to be relatives': one of them, from now on hers."""
-    if phrase.plural or _whose(phrase.text) is None or len(known) < 2:
+    if phrase.plural or (_whose(phrase.text) or 0) < GROWN or len(known) < 2:
         return known
     for room in (free := [e for e in known if _whose(e.name) is None][:1]):
         room.name = phrase.text
