@@ -39,6 +39,7 @@ class Small:
     surface: str = "hard"
     looks: dict[str, tuple[str, ...]]
     styles: dict[str, tuple[Part, ...]]
+    former: tuple[str, ...] = ()
     collide: tuple[Part, ...] = (("box",),)
     designs: int = 2
     rests: bool = False
@@ -126,7 +127,7 @@ def drawn(kind: Small, rng: np.random.Generator) -> Design:
     if kind.wide:
         share = rng.uniform(0, 1, 3)
     d, w, h = np.round((low + share * (high - low)) * 1000) / 1000
-    names = tuple(kind.styles)
+    names = [style for style in kind.styles if style not in kind.former]
     style = names[int(rng.integers(len(names)))]
     return Design(kind, style, (float(d), float(w), float(h)), int(rng.integers(kind.seeds)))
 

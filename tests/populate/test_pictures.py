@@ -55,6 +55,13 @@ def test_a_picture_shows_the_colours_that_it_is_told_by():
         assert told <= {mesh.material.name for mesh in link.visuals}
 
 
+@pytest.mark.parametrize("style", ["mounted", "canvas", "poster", "landscape", "stripes", "sun", "tiles", "hills"])
+def test_pictures_of_earlier_versions_can_still_be_had(style):
+    (link,) = library().load_asset("parametric", f"picture/{style}/25x500x400/3").links
+    assert link.visuals
+    assert all(design.style not in small.TABLE["picture"].former for design in models(1))
+
+
 def test_a_print_is_shown_once_and_upright():
     design = next(design for design in models(0) if design.style == "framed")
     (link,) = library().load_asset("parametric", design.id()).links
