@@ -33,6 +33,12 @@ def _over(image: Array, where: NDArray[np.floating], hue: Array) -> Array:
     return np.asarray(image * (1 - share) + hue * share)
 
 
+def _about(size: int, a: float, b: float, far: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Rows (n, 1) and columns (1, m) of the pixels no farther than that from a place, the sides being one."""
+    rows = np.arange(max(int((b - far) * size), 0), min(int((b + far) * size) + 2, size))
+    return rows[:, None], np.arange(int((a - far) * size) - 1, int((a + far) * size) + 2)[None] % size
+
+
 def _canvas(rng: np.random.Generator, size: int) -> Array:
     """What paint does on canvas: a brush's marks that lie across, (size, size, 1)."""
     return (3.0 * noise(rng, size, 0.012, 0.06))[..., None]
@@ -77,8 +83,10 @@ def _meadow(rng: np.random.Generator, size: int, color: Array) -> Array:
     many = 150
     for a, b, kind in zip(rng.random(many), np.sort(rng.beta(1.6, 1.2, many)), rng.integers(3, size=many), strict=True):
         at, wide = 0.36 + 0.6 * b, 0.006 + 0.016 * b
-        dab = ((x - a + 0.5) % 1 - 0.5) ** 2 + ((y - at) * 1.3) ** 2
-        image = _over(image, 1.6 - dab / (wide * wide), flowers[int(kind)] + rng.normal(0, 12))
+        at_hand = _about(size, a, at, 2 * wide)
+        u, v = x[0, at_hand[1]] - a, y[at_hand[0], 0] - at
+        dab = ((u + 0.5) % 1 - 0.5) ** 2 + (v * 1.3) ** 2
+        image[at_hand] = _over(image[at_hand], 1.6 - dab / (wide * wide), flowers[int(kind)] + rng.normal(0, 12))
     return _even(image + _canvas(rng, size), color)
 
 
@@ -93,11 +101,13 @@ def _sprigs(rng: np.random.Generator, size: int, color: Array) -> Array:
             at, up = foot + lean * t * t, 0.92 - height * t
             for side in (-1, 1):
                 angle, long = np.pi / 2 - side * (0.95 - 0.4 * t), 0.1 * (1.15 - 0.75 * t)
-                u, v = (x - at + 0.5) % 1 - 0.5, -(y - up)
+                at_hand = _about(size, at, up, 1.5 * long)
+                u, v = (x[0, at_hand[1]] - at + 0.5) % 1 - 0.5, up - y[at_hand[0], 0]
                 along = u * np.cos(angle) + v * np.sin(angle) - long / 2
                 over = v * np.cos(angle) - u * np.sin(angle)
                 leaf = 1 - (along / (long / 2)) ** 2 - (over / (0.3 * long)) ** 2
-                image = _over(image, 5 * leaf, hue + rng.normal(0, 9) - 14 * (np.abs(over) < 0.0025)[..., None])
+                shade = hue + rng.normal(0, 9) - 14 * (np.abs(over) < 0.0025)[..., None]
+                image[at_hand] = _over(image[at_hand], 5 * leaf, shade)
         t = np.clip((0.92 - y) / height, 0, 1)
         stem = np.abs((x - foot - lean * t * t + 0.5) % 1 - 0.5)
         image = _over(image, (0.0045 - stem) * 400 * ((y < 0.92) & (0.92 - y < height)), hue - 25)
