@@ -29,7 +29,7 @@ def of_children(program: Program, room: str, area: float) -> dict[str, int]:
     """Beds of a room in which children are known to sleep, one for each: single ones where two fit beside one another
     (`area`, m²), else bunk beds, of which there are none in the other bedrooms; one bed for two in the only bedroom
     that is not theirs; nothing where a bed is asked for."""
-    known = {asked.id: asked.children for asked in program.rooms }
+    known = {asked.id: asked.children for asked in program.rooms}
     if not any(known.values()) or not kinds.BEDS.isdisjoint(of_room(program, room)):
         return {}
     many = known.get(room)

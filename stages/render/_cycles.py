@@ -218,6 +218,7 @@ def main(job):
             size = view["width"], view["height"]
             scene.camera.matrix_world = Matrix(view["pose"]) @ Matrix.Diagonal((1, -1, -1, 1))
             camera.lens = view["fx"] / view["width"] * camera.sensor_width
+            exposed(scene, 0.0)  # metered as if it were the first
             exposed(scene, exposure(scene, size, Path(folder)))
             rendered(scene, size, job["samples"], "PNG", Path(job["out"]) / f"{view['name']}.photo.png")
 
