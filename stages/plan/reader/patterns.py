@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cache, cached_property
 
 Needs = tuple[frozenset[str], ...]
@@ -13,59 +12,52 @@ _SIGN = re.compile(r"\\[^\w\s]")
 _AROUND = ("(?=", "(?!", "(?<=", "(?<!")
 
 
-@dataclass
-class _Group:
-    """What is known of a bracket read so far: its alternatives, of the present one the needs and the last letters."""
-
-    around: bool = False
-    alternatives: list[Needs] = field(default_factory=list)
-    present: Needs = ()
-    run: str = ""
-
-    def cut(self) -> None:
-        """What comes next need not follow the letters before."""
-        self.present += (frozenset({self.run}),) if self.run else ()
-        self.run = ""
-
-    def close(self) -> None:
-        """The present alternative ends."""
-        self.cut()
-        self.alternatives.append(self.present)
-        self.present = ()
-
-    def needs(self) -> Needs:
-        """What all alternatives need: one of the longest words of each."""
-        self.close()
-        if len(self.alternatives) == 1 or not all(self.alternatives):
-            return self.alternatives[0] if len(self.alternatives) == 1 else ()
-        best = [max(needs, key=lambda words: min(map(len, words))) for needs in self.alternatives]
-        return (frozenset().union(*best),)
-
-
 def needed(pattern: str, named: Mapping[str, str] | None = None) -> Needs:
-    """What a pattern needs; `{name}` stands for a pattern of `named`, or else for any text."""
+    """What a pattern needs; `{name}` stands for a pattern of `named`, or else for any text.
+
+    Over a thousand patterns are read before the first sentence is: hence one loop.
+    """
+    outer: list[tuple[list[Needs], Needs, bool]] = []
+    alternatives: list[Needs] = []
+    present: Needs = ()  # of the present alternative; `run` are its last letters
+    run, around = "", False
     parts = _PARTS.findall(pattern)
-    groups = [_Group()]
     for part, after in zip(parts, [*parts[1:], ""], strict=True):
-        optional = after[:1] in ("?", "*") or after.startswith("{0")
-        if part.startswith("("):
-            groups[-1].cut()
-            groups.append(_Group(around=part in _AROUND))
-        elif part == ")":
-            inner = groups.pop()
-            groups[-1].present += () if optional or inner.around else inner.needs()
-        elif part == "|":
-            groups[-1].close()
-        elif part[0] in "\\[?*+{.^$" and not _SIGN.fullmatch(part):
-            groups[-1].cut()
-            known = named is not None and not optional and part[1:-1] in named
-            groups[-1].present += _of(named[part[1:-1]]) if known and named is not None else ()
-        else:
+        first, optional = part[0], after in ("?", "*") or after.startswith("{0")
+        letters = first not in "\\()|[?*+{.^$" or (first == "\\" and _SIGN.fullmatch(part))
+        if letters:
             text = part.removeprefix("\\")
-            groups[-1].run += text[:-1] if optional else text
-            if optional or after[:1] in ("+", "{"):
-                groups[-1].cut()
-    return groups[0].needs()
+            run += text[:-1] if optional else text
+        if run and (not letters or after[:1] in ("?", "*", "+", "{")):
+            # what comes next need not follow the letters before
+            present, run = (*present, frozenset((run,))), ""
+        if first == "(":
+            outer.append((alternatives, present, around))
+            alternatives, present, around = [], (), part in _AROUND
+        elif first == ")":
+            inner = () if optional or around else _of_each(alternatives, present)
+            alternatives, present, around = outer.pop()
+            present += inner
+        elif first == "|":
+            alternatives.append(present)
+            present = ()
+        elif first == "{" and named and not optional and part[1:-1] in named:
+            present += _of(named[part[1:-1]])
+    return _of_each(alternatives, (*present, frozenset((run,))) if run else present)
+
+
+def _of_each(alternatives: list[Needs], last: Needs) -> Needs:
+    """What all alternatives need: one of the longest words of each."""
+    if not alternatives:
+        return last
+    if not last or not all(alternatives):
+        return ()
+    best = [max(needs, key=_least) if len(needs) > 1 else needs[0] for needs in (*alternatives, last)]
+    return (frozenset().union(*best),)
+
+
+def _least(words: frozenset[str]) -> int:
+    return min(map(len, words))
 
 
 @cache
