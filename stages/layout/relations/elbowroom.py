@@ -138,7 +138,7 @@ def _narrows(boxes: Array, space: Space) -> Flags:
 def _bars(kind: str, used: str) -> bool:
     """Whether one thing before or behind another is in the way of its use."""
     own = used in SEATS and kind in kinds.TABLES | kinds.DESKS
-    moved = kind in MOVED and (kind not in kinds.SLENDER or used in SEATS and kind not in kinds.COATS)
+    moved = kind in MOVED and (kind not in kinds.SLENDER or used in SEATS) and kind not in kinds.COATS
     own |= used in kinds.DOUBLE and kind in kinds.BESIDE_A_BED
     hot = kind == RADIATOR and used in kinds.DOUBLE
     return hot or kind in kinds.ON_THE_FLOOR and not moved and not own

@@ -70,6 +70,12 @@ def _straight(there: Furniture, fixed: int, empty: Callable[[], Furniture]) -> F
     return there if names == there.names else filled(empty(), names, boxes)
 
 
+def at_best(there: Furniture, fixed: int) -> float:
+    """The least cost with two units in one another's place, or one put elsewhere in its line."""
+    now = cost(there.names, there.boxes, there.space)
+    return min((cost(there.names, boxes, there.space) for boxes in _moved(there, fixed)), default=now)
+
+
 def cost(names: Sequence[str], boxes: Array, space: Space) -> float:
     """What cooks would mind in the order of units."""
     basic = [kinds.basic(name) for name in names]

@@ -21,6 +21,8 @@ LITTLE = 0.05
 """What is no gain, m."""
 MORE, BASES = 2, (0.9, 0.6, 0.45, 0.3)
 """So many base units come to a run that lacks worktop, at most, as wide as they are sold, m."""
+WIDEST = 3
+"""So many places, for the widest, are looked at with others changing theirs."""
 
 
 def grown(there: Furniture, names: Collection[str], fixed: int, empty: Callable[[], Furniture]) -> Furniture:
@@ -79,7 +81,7 @@ def run_on(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furni
 def _longer(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furniture]) -> Furniture:
     longer = there
     for _ in range(MORE):
-        found = _another(longer, shell)
+        found = _another(longer, shell, fixed)
         if found is None:
             break
         longer = longer.fork()
@@ -87,8 +89,9 @@ def _longer(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furn
     return there if longer is there else exchange.settled(longer, fixed, empty)
 
 
-def _another(there: Furniture, shell: Shell) -> Array | None:
-    """Where one more base unit does most for who cooks there; None where it does nothing."""
+def _another(there: Furniture, shell: Shell, fixed: int) -> Array | None:
+    """Where one more base unit does most for who cooks there, if need be once others have changed places; None where it
+    does nothing."""
     now = exchange.cost(there.names, there.boxes, there.space)
     if now < exchange.LEAST or order.runs().isdisjoint(there.names):
         return None
@@ -98,5 +101,9 @@ def _another(there: Furniture, shell: Shell) -> Array | None:
     good = places[there.prices(BASE, places, strict=True) < BROKEN]
     names = [*there.names, BASE]
     costs = np.array([exchange.cost(names, np.concatenate([there.boxes, box[None]]), there.space) for box in good])
+    if not (costs < now - exchange.LEAST).any():
+        good = np.unique(good, axis=0)
+        good = good[np.argsort(-good[:, 4], kind="stable")][:WIDEST]
+        costs = np.array([exchange.at_best(there.besides(BASE, box), fixed) for box in good])
     better = (good[k] for k in np.argsort(costs, kind="stable").tolist() if costs[k] < now - exchange.LEAST)
     return next((box for box in better if there.shuts(BASE, box) < CUT), None)

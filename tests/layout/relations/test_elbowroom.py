@@ -43,6 +43,14 @@ def test_one_stands_before_shelves(gap: float, barred: bool) -> None:
     assert taken("sofa", sofa, ("bookshelf", shelves)) == barred
 
 
+@pytest.mark.parametrize("ahead, aside, barred", [(0.2, 0.0, True), (0.35, 0.2, True), (0.6, 0.0, False), (0.2, 0.7, False)])
+def test_nobody_has_to_move_the_coats_to_get_at_shelves(ahead: float, aside: float, barred: bool) -> None:
+    shelves = box(CASE, -2 + 0.18, 0)
+    coats = box((0.4, 0.4, 1.7), -2 + 0.355 + ahead + 0.2, aside)
+    assert taken("bookshelf", shelves, ("coat_rack", coats)) == barred
+    assert taken("coat_rack", coats, ("bookshelf", shelves)) == barred, "whichever comes first"
+
+
 @pytest.mark.parametrize("gap, cramped", [(0.2, True), (0.35, True), (0.41, False), (0.6, False)])
 def test_an_armchair_is_rather_left_out_than_put_before_shelves(gap: float, cramped: bool) -> None:
     """Unless it is asked for, and there is no other place."""
