@@ -24,6 +24,8 @@ MARGIN = 1.25
 """What is seen coarsely must cover so much more than that."""
 HEAD = 0.25
 """How far from everything a camera at the height of eyes is, m."""
+OPENS = 2.0
+"""To show something that opens is worth so many other things."""
 CLOSE = 0.7
 """What is nearer than this is in the way of seeing, m."""
 GLARE, GLARING = 2.0, 4.0
@@ -82,7 +84,8 @@ def best(world: HomeWorld, views: int, height: float, field: float, shape: tuple
     shares, near = _judged(world, stands, field, shape[1] / shape[0])
     seen = shares > ENOUGH * MARGIN
     counts = seen.sum(1)
-    new_worth = np.ones(seen.shape[1])
+    opens = [any(link.joint for link in body.links) for body in world.bodies if body.kind == "object"]
+    new_worth = np.where(opens, OPENS, 1.0)
     chosen: list[int] = []
     taken: dict[int, int] = {}
     while len(chosen) < views:

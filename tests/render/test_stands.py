@@ -79,3 +79,22 @@ def test_on_its_way_the_robot_looks_to_where_it_will_be_soon(monkeypatch):
     wanted = [(x, 0, 0.3, east) for x in range(4)] + [(4, y, 0.3, north) for y in range(4)]
     assert looks == [pytest.approx(row) for row in wanted]
     assert route.along(home, 36, 0.3)[18].yaw == pytest.approx(np.pi / 4), "at 3.6 m"
+
+
+def test_views_show_what_opens_rather_than_what_does_not(monkeypatch):
+    """Of the same number of views, more things with joints are in sight than where these count as others do."""
+    found = {}
+    for worth in (1.0, stands.OPENS):
+        monkeypatch.setattr(stands, "OPENS", worth)
+        for name in kept.HOMES:
+            looked_at = world(Scene(kept.home(name), kept.load))
+            opens = [any(link.joint for link in body.links) for body in looked_at.bodies if body.kind == "object"]
+            chosen = stands.best(looked_at, 4, 1.5, 1.4, (64, 48))
+            sights = [stands._judged(looked_at, [stand] * stands.HEADINGS, 1.4, 0.75)[0][heading(stand)]
+                      for stand in chosen]
+            found[worth] = found.get(worth, 0) + int((np.max(sights, axis=0) > stands.ENOUGH)[opens].sum())
+    assert found[stands.OPENS] > found[1.0]
+
+
+def heading(stand):
+    return round(stand.yaw / (2 * np.pi / stands.HEADINGS))
