@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from commandline import timeless
 
-PROMPT = "two-bedroom flat with a study"
+PROMPT = "one-bedroom flat with a study"
 
 
 @pytest.fixture(scope="module")

@@ -28,6 +28,7 @@ from apartgen.stages.things import (
     receptacles,
 )
 
+pytestmark = pytest.mark.wide
 HOMES = {name: lambda name=name: kept.home(name) for name in kept.HOMES} | {
     f"crowded {kind}": lambda kind=kind: opening(kind) for kind in ("bedroom", "kitchen", "living_room")}
 

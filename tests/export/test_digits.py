@@ -15,7 +15,7 @@ EDGES = st.builds(lambda power, ulps: float(10.0**power * (1 + ulps * 2.0**-52))
 NUMBERS = (USUAL | SHORT | TIES | EDGES | st.floats(-1e-4, 1e-4)).filter(lambda v: abs(v) < _digits.LARGEST)
 
 
-@settings(max_examples=2000, deadline=None)
+@settings(max_examples=800, deadline=None)
 @given(values=st.lists(st.tuples(NUMBERS, NUMBERS), max_size=20))
 def test_rows_are_those_that_python_writes(values):
     array = np.array(values, float).reshape(-1, 2)
