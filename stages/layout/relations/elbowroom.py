@@ -23,6 +23,8 @@ COOKED_AT = kinds.RUN - kinds.CLOSED
 CORRIDOR, PASSAGE = 1.9, 0.86
 """What is no wider, from wall to wall, one walks through, and needs so much for it beside what stands there, m: .8 is
 left."""
+TURN = 0.8
+"""From what has a front to the corner of a wall round which one walks beside it, m."""
 SHARE = 0.8
 """Of the width that has to be free."""
 LOW, HIGH = 0.05, 0.9
@@ -56,6 +58,8 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
         found |= _at_window(boxes, space) | _at_radiator(boxes, names, there)
     if kind in kinds.COATS - kinds.HANGING:
         found |= _narrows(boxes, space)
+    if kind in CASES:
+        found |= _at_turn(boxes, space)
     others = [kinds.basic(o) for o in names]
     if kind in USED or _own(name):
         zones = _zones(kind, boxes, space, own=_own(name))
@@ -132,6 +136,25 @@ def _narrows(boxes: Array, space: Space) -> Flags:
         free = ahead(some, space), ahead(some._replace(yaw=some.yaw + np.pi), space)
         bad |= (sum(free) + some.size[:, 0] < CORRIDOR) & (np.maximum(*free) < PASSAGE - SHALLOW)
     return bad
+
+
+def _at_turn(boxes: Array, space: Space) -> Flags:
+    """Between which (n, 7) and the corner of a wall round which one walks there is too little floor: there is some
+    before them and beside them, but not all of it between."""
+    bad = np.zeros(len(boxes), bool)
+    for side in (1, -1):
+        before, *between, beside = (~_out(boxes, angle, side, space) for angle in np.linspace(0, np.pi / 2, 5))
+        bad |= before & beside & ~np.all(between, axis=0)
+    return bad
+
+
+def _out(boxes: Array, angle: float, side: int, space: Space) -> Flags:
+    """Whether the place so far from a front corner, towards an angle between ahead and sideways, is beyond a wall."""
+    x, y = boxes[:, 3] / 2 + TURN * np.cos(angle), side * (boxes[:, 4] / 2 + TURN * np.sin(angle))
+    c, s = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
+    center = np.column_stack([boxes[:, 0] + c * x - s * y, boxes[:, 1] + s * x + c * y, np.full(len(boxes), HIGH)])
+    points = Boxes(np.asarray(center, float), np.zeros((len(boxes), 3)), np.asarray(boxes[:, 2], float))
+    return np.asarray(outside(points, space) > SHALLOW)
 
 
 @cache

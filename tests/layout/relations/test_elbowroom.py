@@ -43,7 +43,8 @@ def test_one_stands_before_shelves(gap: float, barred: bool) -> None:
     assert taken("sofa", sofa, ("bookshelf", shelves)) == barred
 
 
-@pytest.mark.parametrize("ahead, aside, barred", [(0.2, 0.0, True), (0.35, 0.2, True), (0.6, 0.0, False), (0.2, 0.7, False)])
+@pytest.mark.parametrize(
+    "ahead, aside, barred", [(0.2, 0.0, True), (0.35, 0.2, True), (0.6, 0.0, False), (0.2, 0.7, False)])
 def test_nobody_has_to_move_the_coats_to_get_at_shelves(ahead: float, aside: float, barred: bool) -> None:
     shelves = box(CASE, -2 + 0.18, 0)
     coats = box((0.4, 0.4, 1.7), -2 + 0.355 + ahead + 0.2, aside)
@@ -227,3 +228,23 @@ def test_two_who_share_a_bed_get_past_the_radiator(aside: float, alone: bool, be
 def test_no_bed_stands_at_a_radiator(gap: float, barred: bool) -> None:
     bed = box((2.0, 0.9, 0.5), -1.0, 1.9 - gap - 0.45)
     assert taken("single_bed", bed, ("radiator", RADIATOR)) == barred and not taken("single_bed", bed)
+
+
+@pytest.mark.parametrize("gap, barred", [(0.45, True), (0.6, True), (0.9, False)])
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_nothing_narrows_the_way_round_a_corner(gap: float, barred: bool, mirrored: bool) -> None:
+    """A passage 1.2 m wide along the west wall comes into a hall from the south; shelves .75 m deep stand at that wall
+    of the hall, their near end `gap` from where the corner of the passage's other wall is."""
+    rooms, (x, y) = one_room(), (1.2 - 2, 0.0)
+    rooms.polygon[0, :6] = np.array([[-2, -2], [x, -2], [x, y], [2, y], [2, 2], [-2, 2]], np.float32)
+    shelves = box((0.75, 0.6, 1.8), -2 + 0.375, y + np.sqrt(max(0.0, gap**2 - 0.45**2)) + 0.3)
+    if mirrored:
+        rooms.polygon[0, :6, 0] *= -1
+        rooms.polygon[0, :6] = rooms.polygon[0, :6][::-1].copy()
+        shelves[0], shelves[2] = -shelves[0], np.pi
+    found = elbowroom.taken("bookshelf", shelves[None], [], np.zeros((0, 7)), space_of(rooms, 0))[0]
+    assert found == barred
+
+
+def test_the_end_of_a_passage_is_no_corner_to_walk_round() -> None:
+    assert not taken("bookshelf", box(CASE, -2 + 0.18, -1.6))
