@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 from shapely import get_coordinates
-from shapely.geometry import Polygon
+from shapely.geometry import LineString, Polygon
 
 from apartgen.stages.qa.facts import Facts
 from apartgen.stages.space import boxes, polygons
@@ -14,6 +14,8 @@ MIDDLE, SAME = 0.2, 0.1
 """Share of a thing's width that is its middle, and how much further it may be there, m."""
 THIN = 0.1
 """What is lower lies on the floor and is in nobody's way, m."""
+WALL = 0.2
+"""A door is no farther behind the face of its wall, m."""
 _SKIN = 0.02  # m, by which what only touches the side of the way is left out
 
 
@@ -26,6 +28,17 @@ def before(facts: Facts, id: str) -> tuple[float, str] | None:
     half = facts.objects[id].size[1] / 2
     whole, middle = (_first(facts, id, wide) for wide in (half - _SKIN, MIDDLE * half))
     return whole if whole[1] == middle[1] and middle[0] - whole[0] < SAME else None
+
+
+def parted(facts: Facts, id: str, far: float) -> bool:
+    """Whether there is a door or a passage so far ahead, or on the way there one that stands open."""
+    o, room = facts.objects[id], facts.objects[id].room
+    half = o.size[1] / 2
+    way: Polygon = boxes.footprints(boxes.spread(boxes.of([o]), [[o.size[0] / 2, -half, 0]],
+                                                 [[o.size[0] / 2 + far + WALL, half, 1]]))[0]
+    holes = [hole for hole in facts.home.openings if hole.kind != "window" and room in hole.rooms]
+    leaves = [polygons.swing(hole, facts.home) for hole in holes if hole.into == room]
+    return any(way.intersects(shape) for shape in (*(LineString(hole.segment) for hole in holes), *leaves))
 
 
 def _first(facts: Facts, id: str, half: float) -> tuple[float, str]:

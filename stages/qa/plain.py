@@ -27,6 +27,10 @@ BESIDE = 0.02
 """Things on others that are no further apart look like one, m."""
 BLANK = ("midcentury",)
 """Styles of the embedded furniture whose fronts are fluted and without handles: nobody sees how many there are."""
+FILLED = {"bookshelf"}
+"""Furniture that shows books of its own, which nobody tells from others that stand there."""
+EDGE = 0.02
+"""What reaches so far over a rug stands on it, m."""
 COMMON = 0.004
 """Share of both pictures that a thing covers by which one can tell."""
 
@@ -57,13 +61,27 @@ def tells_its_place(facts: Facts, view: View) -> bool:
 
 def told_apart(home: Layout) -> list[str]:
     """Ids of what a number in a picture means beyond doubt: not one half of a pair of curtains, nor one of several
-    alike that stand on something side by side.
+    alike that stand on something side by side, nor a shelf of whose books one may mean one.
     """
     carried = [o for o in home.objects if by_another(o)]
-    apart = [o for o in home.objects if not (o.category in TABLE and TABLE[o.category].symbol == "folds")]
+    apart = [o for o in home.objects if not (o.category in TABLE and TABLE[o.category].symbol == "folds")
+             and o.category not in FILLED]
     twins = {one.id for one in carried for other in carried if one.id != other.id and one.category == other.category
              and dist(one.center, other.center) < (max(one.size) + max(other.size)) / 2 + BESIDE}
     return [o.id for o in apart if o.id not in twins]
+
+
+def on_a_rug(facts: Facts, id: str) -> bool:
+    """Whether it stands on the floor and on a rug that lies there."""
+    flat = [o.id for o in facts.home.objects if o.category in TABLE and TABLE[o.category].place == "flat"]
+    return facts.stands(id) and any(facts.print(id).buffer(-EDGE).intersects(facts.print(rug)) for rug in flat)
+
+
+def at_edge(facts: Facts, id: str, view: str) -> bool:
+    """Whether the picture ends where a thing may go on."""
+    number, shown = next(thing.number for thing in facts.render.instances if thing.id == id), facts.views[view]
+    x, y, wide, high = next(part.rectangle for part in shown.visible if part.number == number)
+    return x <= 0 or y <= 0 or x + wide >= shown.width or y + high >= shown.height
 
 
 def fronted(facts: Facts, id: str) -> bool:

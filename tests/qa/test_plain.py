@@ -9,7 +9,7 @@ import pytest
 from apartgen.schemas.render import Instance, Render, View, Visible
 from apartgen.schemas.retrieve import Joint
 from apartgen.stages import qa, seeds
-from apartgen.stages.qa import plain
+from apartgen.stages.qa import fronts, plain
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.facts import Facts
 from apartgen.stages.qa.kinds import count, direction, in_front, nearer, route, where
@@ -212,3 +212,30 @@ def test_the_words_do_not_tell_in_what_kind_of_picture_a_room_is(monkeypatch):
     texts = {draft.text for kind in ("eye", "panorama")
              for draft in where.ask(facts([shown], [SOFA], kind), np.random.default_rng(0), 9)}
     assert len(texts) == 1
+
+
+@pytest.mark.parametrize(("y", "far", "yes"), [(1.45, 2.6, True), (2.6, 2.6, False), (1.45, 1.0, False)])
+def test_how_far_it_is_to_a_wall_is_not_asked_where_a_door_is(y, far, yes):
+    """The door at (4.05, 1.45) in the east wall, from a cabinet that looks east."""
+    cabinet = h.thing("sideboard", 1.2, y, size=(0.4, 0.6, 0.8), id="cabinet")
+    assert fronts.parted(facts([{"cabinet": (900, ALL)}], [cabinet]), "cabinet", far) == yes
+
+
+@pytest.mark.parametrize(("x", "yes"), [(2.0, True), (2.9, True), (3.6, False)])
+def test_what_stands_on_a_rug_is_not_asked_what_carries_it(x, yes):
+    """A rug over x 1 to 3; half of a table that is .8 m deep is .4."""
+    table, rug = h.thing("coffee_table", x, 1, size=(0.8, 0.8, 0.4), id="table"), h.thing("rug", 2, 1, id="rug")
+    rug.size = (2.0, 2.0, 0.01)
+    assert plain.on_a_rug(facts([{"table": (900, ALL)}], [table, rug]), "table") == yes
+
+
+@pytest.mark.parametrize(("rectangle", "yes"), [
+    ((10, 10, 80, 80), False), ((0, 10, 80, 80), True), ((10, 0, 80, 80), True), ((20, 10, 80, 80), True),
+    ((10, 20, 80, 80), True)])
+def test_lengths_are_asked_of_what_no_edge_of_the_picture_cuts(rectangle, yes):
+    assert plain.at_edge(facts([{SOFA.id: (900, rectangle)}], [SOFA]), SOFA.id, "eye_0") == yes
+
+
+def test_a_number_among_books_could_mean_one_of_them():
+    shelf = h.thing("bookshelf", 3, 1.5, size=(0.3, 0.8, 1.8), id="shelf")
+    assert plain.told_apart(h.home(SOFA, shelf)) == [SOFA.id]

@@ -4,14 +4,15 @@ import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
+from apartgen.stages.qa.plain import on_a_rug
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """The floor, a wall, the ceiling or another thing."""
+    """The floor, a wall, the ceiling or another thing; a rug is both of these."""
     drafts = []
     for it in facts.marked:
         on = facts.objects[it.id].on
-        if on:
+        if on and not on_a_rug(facts, it.id):
             carrier = f"the {on}" if on in ("floor", "wall", "ceiling") else "another thing"
             drafts.append(facts.numbered(it.view, f"What carries {it}?", carrier, {"object": it.id, "on": on}))
     return shared(drafts, rng, most)

@@ -10,14 +10,15 @@ from apartgen.stages.qa.plain import countable
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike, spoken
 
-OVERLOOKED = {"mirror"}
-"""What one sees only by what it shows."""
+OVERLOOKED = {"mirror", "vanity"}
+"""What one sees only by what it shows; what others call something else, as a table to dress at."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Of the rooms of panoramas that show all of them, none of another room, and nothing that one may take for them;
     each kind has several answers. Cloth is not counted, a curtain may be two, nor what is part of a kitchen, a
-    dishwasher may look like a cabinet, nor mirrors, which one overlooks where they show tiles before tiles.
+    dishwasher may look like a cabinet, nor mirrors, which one overlooks where they show tiles before tiles, nor what
+    has its name of two things.
     """
     known = {o.category for o in facts.home.objects if o.category in TABLE}
     kinds = sorted({spoken(name) for name in known if not (TABLE[name].soft or TABLE[name].run or name in OVERLOOKED)})

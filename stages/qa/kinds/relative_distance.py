@@ -5,8 +5,9 @@ import numpy as np
 from apartgen.stages.qa.drafts import Draft, some
 from apartgen.stages.qa.facts import MOSTLY, Facts, marked
 
-CLEARLY = 0.75
-"""The nearest is nearer than this share of the next one's distance."""
+CLEARLY, MORE = 0.75, 0.2
+"""The nearest is nearer than this share of the next one's distance, and by so much, m: what a chair is drawn under is
+none of it away by its box."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
@@ -20,7 +21,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
                 continue
             four = [others[k] for k in rng.permutation(len(others))[:4]]
             far = sorted((facts.apart(anchor, id), id) for id in four)
-            if far[0][0] < CLEARLY * far[1][0] - 0.1:
+            if far[0][0] < CLEARLY * far[1][0] - MORE:
                 text = f"Which of these is nearest to {marked(numbers[anchor])}?"
                 right, *wrong = (marked(numbers[id]) for _, id in far)
                 drafts.append(facts.numbered(view, text, right, {"to": anchor, "objects": four}, tuple(wrong), hard=1))
