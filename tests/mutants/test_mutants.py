@@ -1,5 +1,6 @@
 """Changes of a few lines by hand, and a project of three functions: one tested, one badly, one not at all."""
 
+import os
 import subprocess
 import sys
 from types import ModuleType
@@ -96,7 +97,9 @@ def bench(tmp_path_factory) -> trying.Bench:
     commit = subprocess.run(["git", "rev-parse", "HEAD"], cwd=root, check=True, capture_output=True, text=True)
     at = tmp_path_factory.mktemp("at")
     work = covered.clone(root, at / "clone", commit.stdout.strip())
+    around = dict(os.environ)
     covered.measure(work, at / "seen", at / "kernels", ["stages/sizes/__init__.py"])
+    assert dict(os.environ) == around, "it may be measured itself"
     return trying.Bench(work, covered.Seen(work, at / "seen"), at / "kernels", at / "results", 60.0)
 
 
