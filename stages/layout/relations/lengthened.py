@@ -86,7 +86,11 @@ def _longer(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furn
             break
         longer = longer.fork()
         longer.add(BASE, found)
-    return there if longer is there else exchange.settled(longer, fixed, empty)
+    if longer is there:
+        return there
+    longer = exchange.settled(longer, fixed, empty)
+    before, after = (exchange.cost(one.names, one.boxes, one.space) for one in (there, longer))
+    return longer if after < before - exchange.LEAST else there
 
 
 def _another(there: Furniture, shell: Shell, fixed: int) -> Array | None:
