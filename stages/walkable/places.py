@@ -23,7 +23,8 @@ ALIGNED = 0.99
 """What hangs over an object faces as it does, by this cosine."""
 _BESIDE = 0.06
 """Units no farther apart are of one run, m."""
-_RUN = categories.those(lambda kind: kind.run in ("unit", "fitted"))
+_UNITS = categories.those(lambda kind: kind.run in ("unit", "fitted"))
+_RUN = _UNITS | categories.those(lambda kind: kind.run == "beside")
 _APART = 0.002  # from a wall, so that rounding puts nothing into it, m
 
 
@@ -48,9 +49,11 @@ def places(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
 
 
 def _in_run(o: Furnishing, scene: Scene) -> bool:
-    """Whether it stands side by side with another unit of a run."""
-    units = [p for p in in_room(scene, o.room) if p.id != o.id and p.category in _RUN]
-    return o.category in _RUN and bool(units) and float(boxes.gap(boxes.of([o]), boxes.of(units)).min()) < _BESIDE
+    """Whether it stands side by side with a unit of a kitchen's run, or with a fridge or machine that is part of it."""
+    others = [p for p in in_room(scene, o.room) if p.id != o.id and p.category in _RUN]
+    if o.category not in _RUN or not any(p.category in _UNITS for p in (o, *others)):
+        return False
+    return bool(others) and float(boxes.gap(boxes.of([o]), boxes.of(others)).min()) < _BESIDE
 
 
 def kin(o: Furnishing, scene: Scene) -> list[Furnishing]:

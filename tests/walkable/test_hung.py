@@ -56,3 +56,14 @@ def test_a_unit_of_a_run_has_no_other_place() -> None:
     assert not list(places(site, (sink, base), sink)) and not list(places(site, (sink, base), base))
     for scene in ((sink,), (sink, far)):
         assert list(places(site, scene, sink))
+
+
+@pytest.mark.parametrize("others, stays", [
+    (("kitchen_base",), True), (("washing_machine", "kitchen_base"), True), (("dryer",), False), ((), False)])
+def test_a_fridge_stays_in_the_run_that_it_is_part_of(others: tuple[str, ...], stays: bool) -> None:
+    """Also beside what is no unit itself, but not where there is no run."""
+    room = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]
+    site: Any = SimpleNamespace(floors={"room": Polygon(room)}, doors=Polygon())
+    scene = [h.thing(name, 1.0 + 0.6 * k, 2.7, NORTH, size=(0.6, 0.6, 0.9), id=name).model_copy(update={"room": "room"})
+             for k, name in enumerate(("fridge", *others))]
+    assert bool(list(places(site, tuple(scene), scene[0]))) != stays
