@@ -11,7 +11,7 @@ import numpy as np
 
 from apartgen.schemas.qa import Difficulty, Question
 
-MOST, FEWEST = 4, 3
+MOST, FEWEST = 4, 2
 """Answers that questions share."""
 
 
@@ -49,7 +49,7 @@ class _Group:
         return draft.number is None or far_enough(numbers, draft.number)
 
 
-def shared(drafts: Sequence[Draft], rng: np.random.Generator, most: int, fewest: int = FEWEST) -> list[Draft]:
+def shared(drafts: Sequence[Draft], rng: np.random.Generator, most: int) -> list[Draft]:
     """Groups of drafts whose answers are one another's wrong ones; each draft's own is right once in its group."""
     groups: list[_Group] = []
     known: set[tuple[str, ...]] = set()
@@ -63,7 +63,7 @@ def shared(drafts: Sequence[Draft], rng: np.random.Generator, most: int, fewest:
             groups.append(group := _Group())
         group.members.append(draft)
         known.add(key)
-    full = sorted((group.members for group in groups if len(group.members) >= fewest), key=len, reverse=True)
+    full = sorted((group.members for group in groups if len(group.members) >= FEWEST), key=len, reverse=True)
     found: list[Draft] = []
     for members in full:
         if len(found) + len(members) <= max(most, MOST):

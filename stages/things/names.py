@@ -15,8 +15,9 @@ CALLED = {"utility": "utility room", "storage": "storage room"}
 """Types of rooms that are not called as they are written."""
 LOOKALIKES = ({"basin", "sink"}, {"worktop", "table"})
 """Symbols of things that look much alike, cabinets with something to wash in, and tables at walls."""
-FRAMED = {"mirror", "picture"}
-"""What hangs flat on walls, often in a frame: a mirror that shows a plain wall is taken for a picture."""
+SIMILAR = ({"mirror", "picture"}, {"plant", "succulent"})
+"""Categories of things that look alike: what hangs flat on walls, often in a frame, so that a mirror that shows a plain
+wall is taken for a picture, and what grows."""
 
 
 def spoken(category: str) -> str:
@@ -32,12 +33,12 @@ def one(category: str) -> str:
 
 def alike(one: str, other: str) -> bool:
     """Whether somebody may take a thing of one category for one of another: their names end alike, as those of all
-    tables do, or plans have one symbol for both, as for chests and sideboards, or both hang framed.
+    tables do, or plans have one symbol for both, as for chests and sideboards, or they look alike.
     """
     a, b = spoken(one).lower().split()[-1], spoken(other).lower().split()[-1]
     symbols = {TABLE[name].symbol for name in (one, other) if name in TABLE}
     drawn = one in TABLE and other in TABLE and (len(symbols) == 1 or any(symbols <= some for some in LOOKALIKES))
-    return drawn or {one, other} == FRAMED or a.endswith(b) or b.endswith(a)
+    return drawn or {one, other} in SIMILAR or a.endswith(b) or b.endswith(a)
 
 
 def meanings(things: Iterable[Box]) -> dict[str, int]:

@@ -26,7 +26,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     found: list[Draft] = []
     for drafts in sorted(asked, key=lambda some: -len({draft.answer for draft in some})):
         if len(found) < most:
-            found += shared(drafts, rng, most - len(found), fewest=2)
+            found += shared(drafts, rng, most - len(found))
     return found
 
 

@@ -15,4 +15,4 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             text = ("The first picture shows a room all around, the second its home from above. "
                     "How many doors and open passages does the room have, the entrance counted?")
             drafts.append(Draft(text, str(len(facts.passages(room))), images, {"room": room}, hard=1))
-    return shared(drafts, rng, most, fewest=2)
+    return shared(drafts, rng, most)

@@ -31,7 +31,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             answer = ", ".join(sorted({spoken(o.category) for o in things}))
             drafts.append(facts.numbered(it.view, f"What is on or inside {it}?", answer, {"object": it.id}, hard=1,
                                          more=more))
-    return shared(drafts, rng, most, fewest=2)
+    return shared(drafts, rng, most)
 
 
 def _held(facts: Facts) -> dict[str, list[Box]]:

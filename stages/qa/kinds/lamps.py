@@ -18,4 +18,4 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         if images and countable(facts, images[0], lamps):
             text = "How many lamps are there in the room that this picture shows all around?"
             drafts.append(Draft(text, str(len(lamps)), images, {"room": room}))
-    return shared(drafts, rng, most, fewest=2)
+    return shared(drafts, rng, most)

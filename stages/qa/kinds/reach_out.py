@@ -24,4 +24,4 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             text = f"All parts of {it} are fully opened. How far do they stand out before its closed front?"
             evidence = {"object": it.id, "metres": round(out, 3)}
             drafts.append(facts.numbered(it.view, text, centimetres(out), evidence, number=out, hard=1))
-    return shared(drafts, rng, most, fewest=2)
+    return shared(drafts, rng, most)

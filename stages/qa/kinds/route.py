@@ -11,7 +11,7 @@ from apartgen.stages.qa.facts import Facts
 from apartgen.stages.qa.plain import tells_its_place
 from apartgen.stages.space import polygons
 
-SIDES = (("straight on", -35.0, 35.0), ("left", 50.0, 130.0), ("right", -130.0, -50.0))
+SIDES = (("straight on", -20.0, 20.0), ("left", 50.0, 130.0), ("right", -130.0, -50.0))
 """Turns by the direction of the next goal, degrees; what lies between is not asked for."""
 ENTRANCE = 0.001
 """Share of the view from above that the entrance's door covers where one finds it."""
@@ -40,7 +40,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     found: list[Draft] = []
     for doors in range(1, FARTHEST + 1):
         far = [draft for draft in drafts if draft.hard == doors]
-        found += shared(far, rng, most - len(found), fewest=2) if len(found) < most else []
+        found += shared(far, rng, most - len(found)) if len(found) < most else []
     return found
 
 

@@ -21,4 +21,4 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         if countable(facts, images[0], windows):
             text = "How many windows does the room have that this picture shows all around?"
             drafts.append(Draft(text, str(len(windows)), images, {"room": room}))
-    return shared(drafts, rng, most, fewest=2)
+    return shared(drafts, rng, most)
