@@ -146,8 +146,8 @@ def _changes(
     for o in both:
         yield from shifted(o, nudges(site, scene, o))
         yield from shifted(o, _raised(site, scene, o))
-    if owner is not None:
-        yield from (replaced(owner, to, fault.owner) for to in redesigned(site, scene, owner))
+    for o in both[::-1]:
+        yield from (replaced(o, to, fault.owner) for to in redesigned(site, scene, o))
     for o in both:
         yield from (replaced(o, to, fault.owner) for to in _smaller(site, scene, o))
     for o in both:

@@ -8,7 +8,7 @@ import pytest
 from apartgen.schemas.retrieve import AssetKey, Joint
 from apartgen.stages import retrieve
 from apartgen.stages.things.categories import TABLE
-from apartgen.stages.walkable import WalkableConfig, designs, run
+from apartgen.stages.walkable import WalkableConfig, designs, run, unblock
 from apartgen.stages.walkable.leaves import building
 from apartgen.stages.walkable.parts import PLACE, Check, Fault, stuck_doors
 from apartgen.stages.walkable.site import survey
@@ -210,3 +210,20 @@ def test_a_smaller_one_keeps_the_design():
         less = np.asarray(asset.size) * 0.9
         found = libraries.nearest("sofa", less, asset.latent, less, asset.id)
         assert found.style == asset.style and found.id.split("/")[-1] == asset.id.split("/")[-1]
+
+
+def test_what_is_in_the_way_gets_another_design_before_it_gets_smaller_or_goes():
+    libraries = retrieve.open_libraries()
+    units = []
+    for k, (name, wide) in enumerate((("kitchen_sink", 0.6), ("kitchen_base", 0.3))):
+        asset = next(iter(libraries.alternatives(name, (0.6, wide, 0.9), np.zeros(0))))
+        made = h.thing(name, 1 + 0.45 * k, 2.7, DOWN, size=asset.size, joints=tuple(asset.joints), id=name)
+        units.append(made.model_copy(update={"asset": AssetKey(library=asset.library, id=asset.id)}))
+    sink, base = units
+    site = survey(h.home(*units), WalkableConfig(), libraries)
+    tried = [change for change in unblock._changes(site, tuple(units), Fault(sink.id, "door", base.id), sink, base)
+             if change.object.id == base.id and change.action != "nudge"]
+    new = [change.to[base.id] for change in tried]
+    as_large = [o is not None and np.allclose(o.size, base.size, atol=0.02) for o in new]
+    assert as_large == sorted(as_large, reverse=True), "then smaller ones, at last none"
+    assert any(o is not None and o.size == base.size and o.asset != base.asset for o in new)
