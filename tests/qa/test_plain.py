@@ -12,7 +12,7 @@ from apartgen.stages import qa, seeds
 from apartgen.stages.qa import fronts, plain
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.kinds import count, direction, in_front, nearer, route, where
+from apartgen.stages.qa.kinds import count, direction, in_front, left_of, nearer, route, where
 from apartgen.stages.retrieve.furniture import looks as looks_of_furniture
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike
@@ -100,7 +100,8 @@ def test_things_of_one_look_are_not_told_apart_by_name(one, other, yes):
 def test_nobody_turns_to_what_hangs_overhead(monkeypatch):
     some = [h.thing(name, x, y) for name, x, y in (("sofa", 0.6, 0.6), ("bookshelf", 3.4, 0.6), ("plant", 0.6, 2.4))]
     lamp = h.thing("ceiling_lamp", 2, 1.5)
-    found = facts([{o.id: (900, ALL) for o in (*some, lamp)}], [*some, lamp], "panorama")
+    monkeypatch.setattr(Facts, "uncut", lambda self, view, least: set(self.shares[view]) & set(self.objects))
+    found = facts([{o.id: (900, ALL) for o in (*some, lamp)}], [*some, lamp])
     monkeypatch.setattr(direction, "shared", lambda drafts, rng, most: drafts)
     asked = [draft.evidence for draft in direction.ask(found, np.random.default_rng(0), 99)]
     assert asked and not any(one["facing"] == lamp.id for one in asked)
@@ -239,3 +240,21 @@ def test_lengths_are_asked_of_what_no_edge_of_the_picture_cuts(rectangle, yes):
 def test_a_number_among_books_could_mean_one_of_them():
     shelf = h.thing("bookshelf", 3, 1.5, size=(0.3, 0.8, 1.8), id="shelf")
     assert plain.told_apart(h.home(SOFA, shelf)) == [SOFA.id]
+
+
+@pytest.mark.parametrize(("known", "found"), [
+    ({"a": {"bed", "desk", "sofa"}, "b": {"bed"}}, ["a"]), ({"a": {"bed", "desk"}, "b": {"sofa", "desk"}}, ["a", "b"]),
+    ({"a": {"bed", "desk"}, "b": {"sofa"}}, []), ({"a": {"bed"}, "b": {"desk"}, "c": {"sofa"}}, [])])
+def test_two_pictures_have_a_thing_in_common(known, found):
+    assert direction._pictures(known, ("bed", "desk", "sofa")) == found
+
+
+@pytest.mark.parametrize(("desk", "lamp", "yes"), [
+    ((0, 40), (60, 90), True), ((10, 50), (45, 95), True), ((0, 90), (60, 85), False)])
+def test_left_is_asked_of_what_is_left_at_both_ends(monkeypatch, desk, lamp, yes):
+    things = [h.thing("desk", 1, 1, id="desk"), h.thing("floor_lamp", 3, 1, id="lamp")]
+    spans = {"desk": desk, "lamp": lamp}
+    monkeypatch.setattr(Facts, "alone", lambda self, view: {"the desk": things[0], "the floor lamp": things[1]})
+    monkeypatch.setattr(left_of, "either_way", lambda drafts, rng, most: drafts)
+    found = facts([{id: (900, (low, 10, high - low, 50)) for id, (low, high) in spans.items()}], things)
+    assert bool(left_of.ask(found, np.random.default_rng(0), 8)) == yes

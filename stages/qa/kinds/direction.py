@@ -1,6 +1,7 @@
 """Where a thing is to somebody who stands by one and faces another."""
 
-from itertools import permutations
+from collections.abc import Iterable, Mapping
+from itertools import combinations, permutations
 from math import atan2, degrees, dist
 
 import numpy as np
@@ -27,6 +28,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """By the middles of three things of one room, from the middle of the first, which stands on the floor, and from
     everywhere beside it; the second does not hang overhead.
     """
+    known = {view.name: facts.known(view.name) for view in facts.eyes}
     triples = [three for room in facts.rooms for three in permutations(facts.named_in(room), 3)]
     drafts = []
     for k in rng.permutation(len(triples))[:MANY]:
@@ -39,11 +41,21 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         around = get_coordinates(facts.print(at).buffer(BESIDE, join_style="mitre"))
         if any(_quarter((x, y), there, where)[0] != quarter for x, y in around.tolist()):
             continue
-        if SLACK < rest < 90 - SLACK and (images := facts.pictures((at, to, of), 3)):
+        if SLACK < rest < 90 - SLACK and (images := _pictures(known, triples[k])):
             names = facts.names
             text = f"You stand by {names[at]} and face {names[to]}. Where is {names[of]}?"
             drafts.append(Draft(text, QUARTERS[int(quarter)], images, {"at": at, "facing": to, "of": of}, hard=2))
     return shared(drafts, rng, most)
+
+
+def _pictures(known: Mapping[str, set[str]], three: Iterable[str]) -> list[str]:
+    """One view that shows most of each thing, or two with a thing in both, which ties them; none without."""
+    wanted = set(three)
+    for names in (*((name,) for name in known), *combinations(known, 2)):
+        seen = [known[name] for name in names]
+        if wanted <= set.union(*seen) and set.intersection(*seen):
+            return list(names)
+    return []
 
 
 def _overhead(o: Box) -> bool:
