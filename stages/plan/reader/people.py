@@ -36,6 +36,7 @@ from apartgen.stages.plan.reader.spoken_of import as_first_told, of_the_last
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
 PAIRS = r"(?:(?:grand)?parents|(?:gross)?eltern|padres|abuelos)\b"
 """Words for two people that need no article."""
+THEIR_SPOUSE = re.compile(r"(?:her|his|ihr(?:em|en)?|sein(?:e[mr]?|en)?|son|sa|su) ")
 WE = re.compile(r"\b(?:we|us|our|wir|uns|unser\w*|nous|nos|nuestr\w+)\b")
 
 
@@ -223,7 +224,7 @@ def _baths(text: str) -> str:
 def _household(text: str) -> tuple[People | None, str]:
     """`me, my wife and our two kids`; a single group is told by `about` alone, or is a family's children."""
     who = "{self}|{who}|{family}"
-    joint = "(?:(?<=\\bi) live with |,? (?:and|with|plus|und|mit|et|avec|y|con) |, | ?& |和|带)"
+    joint = "(?:(?<=\\bi) live with | (?:also |still |now )?lives? with |,? (?:and|with|plus|und|mit|et|avec|y|con) |, | ?& |和|带)"
     run = pattern(rf"(?:\b(?:for|of|fur|pour|para) )?(?:{who})(?:{joint}(?:{who}))+", unnamed=True)
     found = run.search(text)
     if found is None or COUNTED.search(text):
@@ -238,7 +239,8 @@ def _household(text: str) -> tuple[People | None, str]:
 
 
 def _sum(groups: list[re.Match[str]]) -> People:
-    pairs = singles = children = 0
+    coupled, groups = _couples(groups)
+    pairs, singles, children = coupled, 0, 0
     kinds = [kind_of(match) for match in groups]
     for kind, match in zip(kinds, groups, strict=True):
         if match.groupdict().get("family"):
@@ -256,6 +258,14 @@ def _sum(groups: list[re.Match[str]]) -> People:
         else:
             singles += "spouse" not in kinds  # "me and my wife" are a pair
     return People(pairs=pairs, singles=singles, children=children)
+
+
+def _couples(groups: list[re.Match[str]]) -> tuple[int, list[re.Match[str]]]:
+    """How many are `my sister and her husband`, and the others."""
+    theirs = [k for k in range(1, len(groups)) if THEIR_SPOUSE.match(groups[k].group()) and kind_of(groups[k]) == "spouse"
+              and kind_of(groups[k - 1]) in ("adult", "child") and not several(groups[k - 1])]  # fmt: skip
+    gone = {j for k in theirs for j in (k - 1, k)}
+    return len(theirs), [match for k, match in enumerate(groups) if k not in gone]
 
 
 def _without_sharing(people: People, text: str, whole: str) -> tuple[People, str]:

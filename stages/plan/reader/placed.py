@@ -143,8 +143,8 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].kind in ("room", "object")
     listed = listed and not _led_to(items, j - 5)
     single = items[k].text.startswith(("is ", *SINGULAR)) or (j > 2 and bool(side_of(items[j - 3])))
-    if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
-        return [last]  # "an office and a balcony facing south"
+    if items[k].text.startswith("facing") and _one(first) and _one(last):
+        return [last]  # "an office and a balcony facing south", "one bedroom and a living room facing west"
     alike = (first.quantifier in KNOWN) == (last.quantifier in KNOWN)
     alike = alike or (first.quantifier == Det.THE and _shares_article(last))  # "the kitchen and bathroom face north"
     alike = alike and not (first.quantifier == Det.BARE and first.count != 1 and _one(last))
