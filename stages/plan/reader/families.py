@@ -46,15 +46,21 @@ HERS = re.compile(r"\b(?:she|he) (?:needs|gets|wants|has|should have|will (?:hav
                   r"bed ?room\b")  # fmt: skip
 _WHOSE = r"(?P<room>(?:an?|\d) (?:relative's|kids|parents') (?:rooms?|bedroom))"
 LIVE_WITH = late(
-    r"(?:\b(?P<who>i|we|ich|wir|je|j'|nous)(?: still| also)? ?(?:live|wohnen?|leben?|habite|habitons|vis|vivons)"
+    r"(?:\b(?P<who>the couple|i|we|ich|wir|je|j'|nous)(?: still| also)? ?(?:live|wohnen?|leben?|habite|habitons|vis|"
+    r"vivons)"
     r"(?: together| zusammen)? (?:with|mit|avec)|\b(?P<quien>vivo|vivimos|convivo) (?:juntos )?con|"
     rf"\b(?P<me>me|i|myself|mich|moi|mi|yo) (?:and|und|et|y|&)) {_WHOSE}"
 )
 """Those who live with somebody whose room is told of."""
 AND_ME = late(rf"{_WHOSE},? (?:and|und|et|y|&) (?:me|i|myself|mich|moi|mi|yo)\b(?= ?(?:[,.;:]|$))")
+_SPOUSE = r"(?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)"
+_PARTNER = (r"(?:mari|femme|compagne|compagnon|copine|copain|marido|mujer|espos[oa]|pareja|novi[oa]|mann|frau|"
+            r"partner(?:in)?|"
+            r"freundin)")  # fmt: skip
 COUPLE = re.compile(
-    r"\b(?:my|our) (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?) and (?:i|me|myself)\b"
-    r"|\b(?:me|myself|i)(?: and|,) my (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)\b"
+    rf"\b(?:my|our) {_SPOUSE} and (?:i|me|myself)\b|\b(?:me|myself|i)(?: and|,) my {_SPOUSE}\b"
+    rf"|\b(?:mon|ma|mi|meine?[rnm]?) {_PARTNER}(?:,| et| y| und) (?:moi|yo|ich|mich)\b"
+    rf"|\b(?:moi|yo|ich|mich)(?:,| et| y| und) (?:mon|ma|mi|meine?[rnm]?) {_PARTNER}\b"
 )
 SUMMED = re.compile(
     r"((?:kids room|relative's room|parents' bedroom)s?\b.*[.:;] ?(?:so,? )?(?:\d|two|three|four|five|six) bed "
@@ -102,9 +108,12 @@ def with_ours(text: str, claims: list[str]) -> str:
 
 def _beside_mine(text: str) -> str:
     """`i live with a relative's room`: that, and the room of those who live with them, where none is told of."""
-    found = next((one for one in (LIVE_WITH.search(text), AND_ME.search(text)) if one is not None), None)
-    if found is None or BEDROOMS.search(text[: found.start()] + text[found.end() :]):
+    found = LIVE_WITH.search(text) or AND_ME.search(text)
+    if found is None:
         return text
-    said = found.groupdict()
-    mine = "a parents' bedroom" if (said.get("who") or said.get("quien")) in ("we", "wir", "nous", "vivimos") else "my room"
+    rest = text[: found.start()] + text[found.end() :]
+    if BEDROOMS.search(rest) or any(kind_of(one) == "spouse" for one in pattern("{who}").finditer(rest)):
+        return text
+    several_of_us = {"the couple", "we", "wir", "nous", "vivimos"} & set(found.groupdict().values())
+    mine = "a parents' bedroom" if several_of_us else "my room"
     return f"{text[: found.start()]}{found['room']}{text[found.end() :].rstrip(' .!')}. {mine}."

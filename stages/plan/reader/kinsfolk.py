@@ -40,8 +40,14 @@ _SAID = rules((
     (r"(?P<who>\b(?:meine[rmn]?|unsere[rmn]?) [a-z]+)(?: zusammen)?,? (?P<die>die|der|das) (?P<room>(?:ein(?:en?)?|ihr|"
      r"sein) eigene[sn]? {bedroom}) (?P<verb>braucht|hat|bekommt|will|mochte|haben|brauchen|bekommen)\b",
      r"\g<who>, \g<die> \g<verb> \g<room>"),
-    (r"(?P<me>我们?)(?:和|跟|与)(?:我的?)?(?P<who>[^,.;和跟与]{1,4}?)(?:一起|同)?住[,.;] ?(?:她|他)(?:要|需要|想要)(?:有)?(?:一间)?"
+    (r"(?P<me>我们?)(?:和|跟|与)(?:我的?)?(?P<who>[^,.;和跟与]{1,4}?)(?:一起|同)?住[,.;] ?(?:她|他)(?:要|需要|"
+     r"想要)(?:有)?(?:一间)?"
      r"自己的(?:卧室|房间)", lambda found: f"{_ME[found['me']]} and a relative's room"),
+    # "meine Eltern bekommen ein Schlafzimmer, ich brauche ein Zimmer"
+    (r"(?P<said>\b(?:meine eltern|mes parents|mis padres)\b[^.]*?[,;] ?(?:und |et |y )?)(?:ich (?:brauche|will|"
+     r"mochte|bekomme|"
+     r"habe|nehme)|(?:je veux|je voudrais|j'ai|il me faut|moi)|(?:necesito|quiero|yo|tengo))(?: auch| aussi| tambien)?"
+     r" (?:ein(?:en)?|une?|una?)(?: eigenes| kleines| petite)? {bedroom}\b", r"\g<said>a bedroom"),
     (r"\bwe parents (?=have|get|need|want|sleep|take|in )", "the parents "),
     (r"\b(parents (?:have|get|need|want)) our own (?=(?:bed ?)?room)", r"\1 their own "),
     (r"\b(die|unsere[nr]?|meine[nr]?|den) beiden (?={kinder}\b)", r"\1 zwei "),

@@ -55,6 +55,7 @@ from apartgen.stages.plan.reader.remarks import of_that_home
 from apartgen.stages.plan.reader.rephrased import rephrased
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from apartgen.stages.plan.reader.several_areas import of_several
+from apartgen.stages.plan.reader.simply import simply
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
 from apartgen.stages.plan.reader.straightened import straightened
 from apartgen.stages.plan.reader.tokens import fold, tokenize
@@ -72,7 +73,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = unparted(named_again(told_apart(instead_of(beside_entrance(in_characters(as_typed(fold(prompt))))))))
+    told = unparted(named_again(told_apart(instead_of(beside_entrance(in_characters(simply(as_typed(fold(prompt)))))))))
     told = inverted(advertised(itemized(only_ways(meant_of(told)))))
     folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))

@@ -224,7 +224,8 @@ def _baths(text: str) -> str:
 def _household(text: str) -> tuple[People | None, str]:
     """`me, my wife and our two kids`; a single group is told by `about` alone, or is a family's children."""
     who = "{self}|{who}|{family}"
-    joint = "(?:(?<=\\bi) live with | (?:also |still |now )?lives? with |,? (?:and|with|plus|und|mit|et|avec|y|con) |, | ?& |和|带)"
+    joint = ("(?:(?<=\\bi) live with | (?:also |still |now )?lives? with |,? (?:and|with|plus|und|mit|et|avec|y|con) |"
+             ", | ?[&+] |和|带)")  # fmt: skip
     run = pattern(rf"(?:\b(?:for|of|fur|pour|para) )?(?:{who})(?:{joint}(?:{who}))+", unnamed=True)
     found = run.search(text)
     if found is None or COUNTED.search(text):
@@ -262,8 +263,9 @@ def _sum(groups: list[re.Match[str]]) -> People:
 
 def _couples(groups: list[re.Match[str]]) -> tuple[int, list[re.Match[str]]]:
     """How many are `my sister and her husband`, and the others."""
-    theirs = [k for k in range(1, len(groups)) if THEIR_SPOUSE.match(groups[k].group()) and kind_of(groups[k]) == "spouse"
-              and kind_of(groups[k - 1]) in ("adult", "child") and not several(groups[k - 1])]  # fmt: skip
+    pairs = [(k, groups[k - 1], groups[k]) for k in range(1, len(groups))]
+    theirs = [k for k, one, other in pairs if kind_of(other) == "spouse" and THEIR_SPOUSE.match(other.group())
+              and kind_of(one) in ("adult", "child") and not several(one)]  # fmt: skip
     gone = {j for k in theirs for j in (k - 1, k)}
     return len(theirs), [match for k, match in enumerate(groups) if k not in gone]
 
@@ -277,7 +279,7 @@ def _without_sharing(people: People, text: str, whole: str) -> tuple[People, str
         people = People(people.pairs, people.singles, max(people.children - fewer, 0))
         text = text[: shared.start()] + text[shared.end() :]
     they = pattern(
-        "\\b(?:they|who|sie|ils|elles|ellos|ellas) (?:both |all |will |can )?{share} ?{article}*{room}"
+        "\\b(?:they|who|sie|ils|elles|ellos|ellas|die|qui|que) (?:both |all |will |can )?{share} ?{article}*{room}"
     ).search(text)
     if they is not None and people.children > 1:
         people = replace(people, children=1)

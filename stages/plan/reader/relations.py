@@ -264,6 +264,8 @@ def _everybody_uses(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase
 def _only_beside(hub: RoomPhrase, ends: list[RoomPhrase]) -> bool:
     """`the kitchen between the living room and the bedroom`: neighbours, for no way leads through a bedroom."""
     beds = any(e.type == "bedroom" for e in ends)
+    if hub.type == "bathroom" and any(e.type in OPEN_TYPES for e in ends):
+        return True  # "the bath between the kitchen and the bedroom": one gets there from the hall
     return hub.type == "bedroom" or (beds and hub.type in (*OPEN_TYPES, "study"))
 
 

@@ -14,16 +14,21 @@ _OTHERS = (r"(?:(?:the |die |der |das |les |los |las |l'|el |la )?(?:{numbers}|a
            r"remaining|others?|third|fourth|fifth|last|dritte|letzte|eldest|oldest|youngest|ones?|kids?|child|"
            r"children|beiden|un[oa]?|une?|mayor|menor|aine|个|另外?|其他|其余)[ ]?)+")  # fmt: skip
 _OWN = (r"(?:(?:each|both|all|will|can|should|chacune?|cada un[oa]|jeweils|jede[rs]?|各自?)[ ]?)*(?:{need} ?)?"
-        r"(?:(?:each|both|chacune?|cada un[oa]|jeweils|各) ?)?(?:{hers}|la leur|le leur|(?:ein(?:en?)? |ihr |sein )eigene[sn]?"
+        r"(?:(?:each|both|chacune?|cada un[oa]|jeweils|各) ?)?(?:{hers}|la leur|le leur|(?:ein(?:en?)? |ihr |sein "
+        r")eigene[sn]?"
         r"|(?:one|a room|one room) each|{article}+{room}{each}?|{article}*own|alone|各?一间)")  # fmt: skip
-_WITH_US = (r"(?:the |our |das |le |la |el )?(?:baby|youngest|newborn|toddler|little one|smallest|bebe|kleinste)(?: one)?"
+_WITH_US = (r"(?:the |our |das |le |la |el )?(?:baby|youngest|newborn|toddler|little one|smallest|bebe|kleinste)(?: "
+            r"one)?"
             r"(?: will| can)? (?:{with_us}|(?:sleeps?|stays?|is) in ours)")  # fmt: skip
 _ALSO = r"(?:(?:also|too|auch|aussi|tambien|another) )*{share}(?: ?{article}*(?:{room}|other|another)(?: one)?)?"
 _END = r"(?= ?(?:[.,;:)]|$)| (?:and|und|et|y|with|mit|avec|con) )"
-_HAVE = (r"(?P<ours>\b(?:we have(?: got)?|we are (?:a|the) (?:family|couple) (?:with|of)|(?:the|a|our) (?:family|couple) "
-         r"(?:with|of)|wir (?:haben|sind eine familie mit)|(?:eine )?familie mit|nous (?:avons|sommes une famille avec)|"
+_HAVE = (r"(?P<ours>\b(?:we have(?: got)?|we are (?:a|the) (?:family|couple) (?:with|of)|(?:the|a|our) (?:family|"
+         r"couple) "
+         r"(?:with|of)|wir (?:haben|sind eine familie mit)|(?:eine )?familie mit|nous (?:avons|sommes une famille "
+         r"avec)|"
          r"(?:une )?famille avec|tenemos|(?:una )?familia con|(?:us|we|me|my (?:wife|husband|partner) and (?:me|i)|"
-         r"me and my (?:wife|husband|partner))(?:,| and| with| &)|(?:our|my|unsere|nos|nuestr[oa]s)) (?:our )?)?")  # fmt: skip
+         r"me and my (?:wife|husband|partner))(?:,| and| with| &)|(?:our|my|unsere|nos|nuestr[oa]s)) (?:our "
+         r")?)?")  # fmt: skip
 _SOME = (
     rf"{_HAVE}(?P<all>{{numbers}}) ?(?:{{adjective}})*{_YOUNG}"
     r"(?P<said>(?! (?:and|with|und|et|y) )[^.:;,0-9]{0,25}?)"
