@@ -13,6 +13,9 @@ _WITH = (r"(?P<with>,? (?:with|con|avec|mit)\b)?")
 _ES_DOOR = r"(?:tener|tenga|tiene|haya)(?: una| ninguna)? puertas?(?: directa)? (?P<to>al?|hacia|con|que de a) ?"
 
 
+_TOGETHER = {"zweit": 2, "dritt": 3, "viert": 4, "funft": 5, "sechst": 6}
+
+
 def _each_of_us(found: re.Match[str]) -> str:
     """`I live with my sister. Each wants her own bedroom with a desk`: a bedroom with a desk for each."""
     said = found["n"]
@@ -23,7 +26,7 @@ def _each_of_us(found: re.Match[str]) -> str:
 _SAID = rules((
     # "There should be a door between the kitchen and the dining room"
     (r"\bthere (?:should|must|has to|have to|needs? to|ought to|shall|will|could|can|may)(?: also)? be "
-     r"(?=(?:an?|one|two) (?:[a-z]+ )?(?:doors?|openings?|passages?|ways?|archways?)\b)", "there is "),
+     r"(?=(?:an?|one) (?:[a-z]+ )?(?:door|opening|passage|archway)\b)", "there is "),
     # "one bathroom between bedrooms 2 and 3, with a door to each"
     (r"(\bbath ?room[^.;]*?\bbetween [^.;,]*?),? (?:and )?(?:with|having) (?:an? |one |its own )?doors? (?:to|into|"
      r"from) "
@@ -65,10 +68,51 @@ _SAID = rules((
     (r"(\b(?:dormitorios?|habitacion(?:es)?)\b[^.]*?(?:,|\by|\bcon|\bmas)) un (?:pequeno )?estudio\b", r"\1 un "
                                                                                                        r"despacho"),
     (r"\bun estudio (?=y (?:una?|dos|tres|cuatro) (?:dormitorios?|habitacion(?:es)?)\b)", "un despacho "),
+    # "Wir sind zu dritt: meine Frau, …", "somos cuatro: mi marido, yo y …"
+    (r"\b(?:we are|wir sind|nous sommes|somos) (?:zu (?:zweit|dritt|viert|funft|sechst)|(?:a )?{several}|zwei|drei|"
+     r"vier|funf|sechs|"
+     r"deux|trois|quatre|cinq|dos|tres|cuatro|cinco|seis)(?: people| persons| personen| personnes| personas)? ?: "
+     r"?", ""),
+    (r"\bzu (zweit|dritt|viert|funft|sechst)\b", lambda found: f"fur {_TOGETHER[found[1]]} personen"),
     # "every of us needs own room", "four peoples", "the kitchen is open with the salon", "one big bed"
     (r"\bevery of (us|them|the)\b", r"each of \1"),
     (r"\b(needs?|wants?|gets?|has|have|having) own (?=(?:bed ?|bath ?)?rooms?\b|desk\b)", r"\1 his own "),
-    (r"\bpeoples\b", "people"), (r"\bchilds\b", "children"), (r"\bboth (bed|bath)( ?)room\b(?!s)", r"both \1\2rooms"),
+    (r"\b(should|must|can|will|shall|does|did) has (?=an?\b|one\b|two\b|three\b|the\b)", r"\1 have "),
+    (r"\b(one|an?|the) (?:common|communal) (?=(?:kitchen|living|dining|lounge))", r"\1 "),
+    (r"\bchildrens\b(?! (?:bed)?room)", "children"),
+    (r"\b(?:one|a|1) (?:big )?bed for (?:two|2)(?: persons?| people)?\b", "one double bed"),
+    (r"\b(two|three|four|[2-4]) beds? for (?:the )?(?:children|kids|one person|one|boys|girls|single persons?)\b(?! "
+     r"?room)", r"\1 single beds"),
+    (r"\b(?:from |between )?(\d+) (?:until|till) (\d+)(?= ?{unit})", r"between \1 and \2"),
+    # "2 bedrooms side by side, kitchen away from them"
+    (r"(\b(?:two|three|2|3) (bed|bath)( ?)rooms\b[^.;]*?\b(?:far(?: away)?|away|near|close) (?:from|to) )(?:them|"
+     r"these|those){end}",
+     r"\1the \2\3rooms"),
+    # "the child room should be in front of our bedroom"
+    (r"\b((?:bed|child|kids?|children's|bath)[' ]?s? ?rooms? (?:should be|must be|is|lies)) in front of (?=(?:the|"
+     r"our|my) {room}\b)",
+     r"\1 opposite "),
+    (r"\bchild(?:ren)? rooms?\b", lambda found: "kids rooms" if found.group().endswith("s") else "kids room"),
+    # "Wannenbad", "deux chambres, chacune avec un placard et un bureau", "y tener balcón"
+    (r"\b(?:tageslicht)?wannenbad\b", "bad mit badewanne"),
+    (r"(\bchambres?\b[^.;]{0,40}?\b(?:avec|ont|a) (?:chacune )?(?:un lit(?: simple| double)?(?:,| et) )?)un "
+     r"placard\b", r"\1une armoire"),
+    (r"(\bchambres?\b[^.;]{0,40}?\b(?:avec|ont|a) (?:chacune )?une armoire(?:,| et) )un bureau\b", r"\1une table de "
+                                                                                                   r"travail"),
+    (r"(?P<s>\b(?:el|la) {es}(?: principal)?) (?P<p>(?:debe|tiene que|ha de|deberia) [^.;]*?),? y tener (?=(?:un |"
+     r"una |su )?(?:balcon|"
+     r"terraza|bano|vestidor|ventana|armario|escritorio|cama))", r"\g<s> \g<p>. \g<s> tiene "),
+    (r"(?P<s>\b(?:la |le |l'){fr}(?: principale| parentale)?) (?P<p>(?:doit|devra) [^.;]*?),? et avoir (?=(?:un |une "
+     r"|sa |son )?(?:balcon|"
+     r"terrasse|salle|dressing|fenetre|armoire|lit|placard))", r"\g<s> \g<p>. \g<s> a "),
+    (r"(\b(?:chambre|celle) (?:des|d'|de la|de l'|du) ?(?:enfants?|filles?|garcons?|bebe)\b[^.;]*?)\b(?:la notre|"
+     r"notre chambre)\b",
+     r"\1la chambre parentale"),
+    (r"(\bkinderzimmer\b[^.;]*?)\bunserem(?= (?:liegen|sein)\b|{end})", r"\1dem elternschlafzimmer"),
+    (r"(\b(?:cuarto|dormitorio|habitacion) de (?:los ninos|las ninas|l[oa]s hij[oa]s|los "
+     r"chicos)\b[^.;]*?)\b(?P<de>de|a)(?:l| la) "
+     r"nuestr[oa]\b", r"\1\g<de>l dormitorio principal"), (r"\bpeoples\b", "people"), (r"\bchilds\b", "children"),
+    (r"\bboth (bed|bath)( ?)room\b(?!s)", r"both \1\2rooms"),
     (r"\b(facing|overlooking|towards?|looking (?:on)?to) (?=(?:garden|street|road|courtyard|yard|park)\b)", r"\1 the "),
     (r"\bin (?:the )?living(?= ?(?:[.,;]|$)| and )", "in the living room"),
     # "un bureau qui sert aussi de chambre d'amis", "das auch als Gästezimmer dient", "que también sirve de"
