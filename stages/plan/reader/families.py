@@ -57,7 +57,7 @@ _SPOUSE = r"(?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)"
 _PARTNER = (r"(?:mari|femme|compagne|compagnon|copine|copain|marido|mujer|espos[oa]|pareja|novi[oa]|mann|frau|"
             r"partner(?:in)?|"
             r"freundin)")  # fmt: skip
-COUPLE = re.compile(
+COUPLE = late(
     rf"\b(?:my|our) {_SPOUSE} and (?:i|me|myself)\b|\b(?:me|myself|i)(?: and|,) my {_SPOUSE}\b"
     rf"|\b(?:mon|ma|mi|meine?[rnm]?) {_PARTNER}(?:,| et| y| und) (?:moi|yo|ich|mich)\b"
     rf"|\b(?:moi|yo|ich|mich)(?:,| et| y| und) (?:mon|ma|mi|meine?[rnm]?) {_PARTNER}\b"

@@ -3,7 +3,7 @@
 import re
 
 from apartgen.stages.plan.reader.about import numbers
-from apartgen.stages.plan.reader.pieces import reworded, rules
+from apartgen.stages.plan.reader.pieces import Words, reworded, rules
 
 _ONE_EACH = (r"(?:each(?: one)?(?: of us)?|both(?: of us)?|every(?:one|body)|cada un[oa](?: de nosotr[oa]s)?|"
              r"chacune?(?: de nous| d'entre nous)?|jede[rs]?(?: von uns)?)")  # fmt: skip
@@ -23,6 +23,11 @@ def _each_of_us(found: re.Match[str]) -> str:
     return f"{count} bedrooms{' each with' if found['with'] else ''}"
 
 
+def _sleeping(kind: str) -> Words:
+    """Bedrooms of such a kind in English."""
+    return lambda found: f"{kind} bedroom{'s' if found['s'] else ''}"
+
+
 _SAID = rules((
     # "There should be a door between the kitchen and the dining room"
     (r"\bthere (?:should|must|has to|have to|needs? to|ought to|shall|will|could|can|may)(?: also)? be "
@@ -32,7 +37,7 @@ _SAID = rules((
      r"from) "
      r"(?:each|both)(?: of (?:them|the bed ?rooms)| sides| bed ?rooms?| rooms?| one)?{end}", r"\1"),
     # "at least 15 m2, the other no more than 11"
-    (r"({amount}) ?({unit})((?! (?:for|with) )[^.;\d]{3,45}? (?:{least}|{most})) ({amount}){end}", r"\1 \2\3 \4 \2"),
+    (r"({amount}) ?({unit})((?! (?:for|with) )[^.;\d]{0,45}? (?:{least}|{most})) ({amount}){end}", r"\1 \2\3 \4 \2"),
     (r"({amount}) ?({unit})(,? (?:and |but |while )?the (?:other|second|third)(?: one| bed ?room| bath ?room)?"
      r"(?: (?:is|of|has|with|should be|must be|about|around|only|just))*) ({amount}){end}", r"\1 \2\3 \4 \2"),
     # "2 bedrooms 14 and 11", beside rooms whose areas have no unit either
@@ -74,6 +79,23 @@ _SAID = rules((
      r"deux|trois|quatre|cinq|dos|tres|cuatro|cinco|seis)(?: people| persons| personen| personnes| personas)? ?: "
      r"?", ""),
     (r"\bzu (zweit|dritt|viert|funft|sechst)\b", lambda found: f"fur {_TOGETHER[found[1]]} personen"),
+    # "living room minimum 20 m2 maximum 25 m2"
+    (r"\b({least}|min(?:imum)?) ({amount}) ?({unit}),? ({most}|max(?:imum)?) ({amount}) ?{unit}", r"between \2 and "
+                                                                                                  r"\5 \3"),
+    # "dos dormitorios dobles y uno individual", "deux chambres doubles et une simple", "zwei Doppelzimmer"
+    (r"\b(?:dormitorio|habitacion)(?P<s>(?:e?s)?) (?:dobles?|de matrimonio)\b", _sleeping("double")),
+    (r"\b(?:dormitorio|habitacion)(?P<s>(?:e?s)?) (?:individual(?:es)?|sencill[oa]s?)\b", _sleeping("single")),
+    (r"(\bdouble bedrooms?,? (?:y|et|und) )(?:(un)[oa]|otr[oa]|(une)|(dos|tres|deux|trois|zwei|drei))(?: mas)? "
+     r"(?:individual|sencill[oa]|simple)(?:es|s)?\b", lambda found: f"{found[1]}{found[4] or 'one'} single "
+                                                                    f"bedroom{'s' if found[4] else ''}"),
+    (r"\bchambre(?P<s>s?) (?:doubles?|pour deux(?: personnes)?)\b", _sleeping("double")),
+    (r"\bchambre(?P<s>s?) (?:simples?|individuelles?|pour une personne)\b", _sleeping("single")),
+    (r"(\bdouble bedrooms?,? et )(?:une|(deux|trois)) (?:simple|individuelle)s?\b",
+     lambda found: f"{found[1]}{found[2] or 'one'} single bedroom{'s' if found[2] else ''}"),
+    (r"\b(?P<n>zwei|drei|vier|[2-4]) doppel(?:schlaf)?zimmern?\b", r"\g<n> double bedrooms"),
+    (r"\bdoppel(?:schlaf)?zimmer\b", "double bedroom"),
+    (r"\b(?P<n>zwei|drei|vier|[2-4]) einzelzimmern?\b", r"\g<n> single bedrooms"), (r"\beinzelzimmer\b", "single "
+                                                                                                         "bedroom"),
     # "every of us needs own room", "four peoples", "the kitchen is open with the salon", "one big bed"
     (r"\bevery of (us|them|the)\b", r"each of \1"),
     (r"\b(needs?|wants?|gets?|has|have|having) own (?=(?:bed ?|bath ?)?rooms?\b|desk\b)", r"\1 his own "),

@@ -23,7 +23,7 @@ _HAVE_A = Late(
     r"\b(?:we|i) (?:also |already )?have (?:an?|one) (?:(?:[a-z]+|\d+)(?:-[a-z]+)*[ -]){0,3}?(?P<who>{kin})\b{aged}?"
     r"(?P<of>[^.;,:]{0,40})[.;,:] ?(?:and |so )?(?:she|he|it|who|the (?:child|baby)) (?={needs})", _WORDS)  # fmt: skip
 _OLD = Late(r"\b(?P<who>(?:our|my|the) (?:{several} )?{young}) are (?:already )?{years},? (?:and|so|but) (?:they )?"
-            r"(?=(?:each|both|all) )", _WORDS)  # fmt: skip
+            r"(?=(?:each|both|all|share|sleep|need|have|get) )", _WORDS)  # fmt: skip
 _LIVES = Late(
     r"\b(?P<who>(?:my|our) {kin}|{elder}) (?:also )?(?:lives?|stays?|moves? in|is moving in|is going to live|"
     r"will live|comes to live|is staying)(?: (?:with|in with) (?:us|me|our family))?"

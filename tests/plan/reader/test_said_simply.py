@@ -44,6 +44,36 @@ AREAS = [
     ("Un dormitorio de 12 m², un estudio de 9 m², sin balcón.", "B H K L S W", "B1=12, S1=9"),
     ("两个卧室，要一个大阳台", "B2 H K L W Y", "Y1=6.5"),
 ]
+TYPED = [
+    ("1BR, bay window", "B H K L W", "unread bay window"),
+    ("2 bedrooms next to each other, kitchen far from them", "B2 H K L W", "apart K1 B1, apart K1 B2"),
+    ("The child room should be in front of our bedroom.", "B2 H K L W", "opposite B2 B1"),
+    ("It should has a big bathroom with washing machine inside. One bedroom.", "B H K L W",
+     "W1 has 1 washing_machine"),
+    ("Two bedrooms, in first one bed for two person and in second two beds for childrens.", "B2 H K L W",
+     "B1 has 1 double_bed, B2 has 2 single_bed"),
+    ("Area must be from 60 until 70 square meters with two bedrooms.", "B2 H K L W",
+     "at_least home 60, at_most home 70"),
+    ("Kitchen with the table for 4 person, two bedrooms.", "B2 H K L W", "K1 has 1 dining_table, K1 has 4 chair"),
+    ("Zweizimmerwohnung mit Wannenbad", "B H K L W", "W1 has 1 bath"),
+    ("Deux chambres, chacune avec un placard et un bureau", "B2 H K L W", "B1 has 1 wardrobe, B2 has 1 desk"),
+    ("Casa para seis personas con tres baños", "B5 H K L W3", ""),
+    ("El dormitorio principal tiene que medir por lo menos 15 m² y tener balcón; otro dormitorio de 10 m²", "B2 H K L W Y",
+     "at_least B1 15, B1Y1"),
+    ("La chambre des enfants doit être à côté de la nôtre, et la salle de bains entre les deux", "B2 H K L W",
+     "adjacent B2 B1, B1W1, B2W1"),
+    ("The kids room must be next to ours, and the bathroom between the two.", "B2 H K L W",
+     "adjacent B2 B1, B1W1, B2W1"),
+    ("Das Kinderzimmer soll neben unserem liegen", "B2 H K L W", "adjacent B2 B1"),
+    ("living room minimum 20 square meters maximum 25, 2 bedrooms", "B2 H K L W", "at_least L1 20, at_most L1 25"),
+    ("The kitchen should be next to the entrance and the bedroom at the back", "B H K L W",
+     "near K1 entrance, position B1 back"),
+    ("dos dormitorios dobles y uno individual", "B3 H K L W2", "B3=8, !unread dobles"),
+    ("deux chambres doubles et une simple", "B3 H K L W2", "B3=8"),
+    ("zwei Doppelzimmer und ein Einzelzimmer", "B3 H K L W2", "B3=8"),
+    ("There should be two ways to get to the kitchen: from the hall and from the living room. Two bedrooms.",
+     "B2 H K L W", "H1K1, K1L1"),
+]
 CORNERS = [
     ("dos dormitorios y un despacho en la esquina noreste", "B2 H K L S W", "position S1 north_east"),
     ("deux chambres, la cuisine dans l'angle nord-ouest", "B2 H K L W", "position K1 north_west"),
@@ -75,6 +105,7 @@ test_every_home_is_furnished = as_meant(FURNISHED)
 test_what_is_said_of_the_last_of_two = as_meant(LAST_OF_TWO)
 test_doors = as_meant(DOORS)
 test_areas = as_meant(AREAS)
+test_as_people_type = as_meant(TYPED)
 test_corners = as_meant(CORNERS)
 test_rooms_with_two_uses = as_meant(USES)
 test_english_of_learners = as_meant(LEARNT)

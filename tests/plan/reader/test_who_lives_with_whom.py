@@ -59,6 +59,16 @@ SOME_SHARE = [
     ("a bedroom for the parents and one that the two girls share, with a bunk bed and two desks", "B2 H K L W",
      "B2 has 1 bunk_bed, B2 has 2 desk"),
 ]  # fmt: skip
+TOLD_AGAIN = [
+    ("Wir sind zu dritt: meine Frau, unser Sohn und ich. Der Sohn braucht ein eigenes Zimmer.", "B2 H K L W",
+     "!unread dritt"),
+    ("My wife and I and our son. The son needs his own room.", "B2 H K L W", ""),
+    ("A flat for me and my mother. My mother needs her own room.", "B2 H K L W", ""),
+    ("Wir wohnen zu viert in der Wohnung", "B3 H K L W2", ""),
+    ("We are four: two adults and two children", "B3 H K L W2", "!unread four"),
+    ("Somos cuatro: mi marido, yo y dos niños", "B3 H K L W2", "!unread cuatro"),
+    ("My kids are 5 and 8 and share a room. We need a bedroom too.", "B2 H K L W", ""),
+]
 WHOSE = [
     ("三室一厅，女儿住次卧", "B3 H K L W2", "!unread 女, !unread 住"),
     ("两室一厅，主卧我们住，次卧女儿住", "B2 H K L W", "!unread 女, !unread 住"),
@@ -70,6 +80,7 @@ WHOSE = [
 test_those_who_live_with_somebody = as_meant(WITH_SOMEBODY)
 test_couples_among_kin = as_meant(COUPLES)
 test_some_children_share = as_meant(SOME_SHARE)
+test_people_told_of_again = as_meant(TOLD_AGAIN)
 test_whose_room = as_meant(WHOSE)
 
 
