@@ -55,8 +55,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             continue
         if placing:
             rooms = [known(room, items) for room in rooms_placed(items, k)]
-            again = " its " in item.text and any(" its " in i.text for i in items[:k] if i.kind == "place")
-            seen_from = seen_from if again else _whose(items, k)
+            seen_from = seen_from if _its_again(items, k) else _whose(items, k)
             item = _as_before(items, k)
             to = _again_beside(items, k) or seen_from
             said.asked += [_placed(item, room, text, to) for room in rooms if room is not seen_from]
@@ -95,6 +94,11 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
         k += 1
     return out
+
+
+def _its_again(items: list[Item], k: int) -> bool:
+    """`on its left …, on its right …`, of the same room."""
+    return " its " in items[k].text and any(" its " in i.text for i in items[:k] if i.kind == "place")
 
 
 def _placed_and(items: list[Item], k: int) -> list[Item]:
