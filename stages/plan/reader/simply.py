@@ -37,7 +37,8 @@ _SAID = rules((
      r"from) "
      r"(?:each|both)(?: of (?:them|the bed ?rooms)| sides| bed ?rooms?| rooms?| one)?{end}", r"\1"),
     # "at least 15 m2, the other no more than 11"
-    (r"({amount}) ?({unit})((?! (?:for|with) )[^.;\d]{0,45}? (?:{least}|{most})) ({amount}){end}", r"\1 \2\3 \4 \2"),
+    (r"({amount}) ?({unit})((?:(?! (?:for|with|door|chair|seat|people|window|table))[^.;\d]){0,45}? "
+     r"(?:{least}|{most})) (\d\d(?:[.,]\d+)?|[3-9](?:[.,]\d+)?){end}", r"\1 \2\3 \4 \2"),
     (r"({amount}) ?({unit})(,? (?:and |but |while )?the (?:other|second|third)(?: one| bed ?room| bath ?room)?"
      r"(?: (?:is|of|has|with|should be|must be|about|around|only|just))*) ({amount}){end}", r"\1 \2\3 \4 \2"),
     # "2 bedrooms 14 and 11", beside rooms whose areas have no unit either
