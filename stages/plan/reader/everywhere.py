@@ -42,7 +42,8 @@ _WAYS = (
     (r"\b(?P<work>trabaj\w+|teletrabaj\w+) (?:en|desde) casa\b", r"\g<work>"),
     (r"\b(?P<one>une?) seule? (?=(?:grande? |petite? )?{fr})", r"\g<one> "),
     (r"(?P<far>\b(?:loin|pres|a cote) d(?:u |e la |e l'){fr}),? et (?=une? {fr})", r"\g<far>. "),
-    # "compartimos dos baños", "ein Badezimmer für die Eltern und eins für die Kinder", "一个独立的厕所"
+    # "el baño lo compartimos", "compartimos dos baños", "一个独立的厕所", "ein Bad für die Eltern, eins für die Kinder"
+    (r"(\bel {es}) lo compartimos(?: tod[oa]s| l[oa]s dos| entre (?:tod[oa]s|l[oa]s dos))?(?:{end}|(?= y ))", r"\1"),
     (r"\bcompartimos\b", "comparten"),
     (r"\b(?:ein |eigenes )?bad(?:ezimmer)? fur (?:die )?eltern(?:,|,? und) eine?s? fur (?:die )?kinder\b",
      "zwei bader"),

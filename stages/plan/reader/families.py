@@ -3,6 +3,7 @@
 import re
 
 from apartgen.stages.plan.reader.kin import kind_of, pattern, several
+from apartgen.stages.plan.reader.patterns import late
 
 OURS = re.compile(
     r"^(?:\w+ (?:of|von|de) )?(?:both |beide )?"
@@ -43,9 +44,23 @@ TOGETHER = re.compile(
 KEPT = re.compile(r"\b(?:ours|mine|(?<=keep )(?:our|my) own(?= ?(?:[.,;!]|$)))(?![a-z'])")
 HERS = re.compile(r"\b(?:she|he) (?:needs|gets|wants|has|should have|will (?:have|get)) (?:an?|her own|his own) "
                   r"bed ?room\b")  # fmt: skip
-COUPLE = re.compile(
-    r"\b(?:my|our) (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?) and (?:i|me|myself)\b"
-    r"|\b(?:me|myself|i)(?: and|,) my (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)\b"
+_WHOSE = r"(?P<room>(?:an?|\d) (?:relative's|kids|parents') (?:rooms?|bedroom))"
+LIVE_WITH = late(
+    r"(?:\b(?P<who>the couple|i|we|ich|wir|je|j'|nous)(?: still| also)? ?(?:live|wohnen?|leben?|habite|habitons|vis|"
+    r"vivons)"
+    r"(?: together| zusammen)? (?:with|mit|avec)|\b(?P<quien>vivo|vivimos|convivo) (?:juntos )?con|"
+    rf"\b(?P<me>me|i|myself|mich|moi|mi|yo) (?:and|und|et|y|&)) {_WHOSE}"
+)
+"""Those who live with somebody whose room is told of."""
+AND_ME = late(rf"{_WHOSE},? (?:and|und|et|y|&) (?:me|i|myself|mich|moi|mi|yo)\b(?= ?(?:[,.;:]|$))")
+_SPOUSE = r"(?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)"
+_PARTNER = (r"(?:mari|femme|compagne|compagnon|copine|copain|marido|mujer|espos[oa]|pareja|novi[oa]|mann|frau|"
+            r"partner(?:in)?|"
+            r"freundin)")  # fmt: skip
+COUPLE = late(
+    rf"\b(?:my|our) {_SPOUSE} and (?:i|me|myself)\b|\b(?:me|myself|i)(?: and|,) my {_SPOUSE}\b"
+    rf"|\b(?:mon|ma|mi|meine?[rnm]?) {_PARTNER}(?:,| et| y| und) (?:moi|yo|ich|mich)\b"
+    rf"|\b(?:moi|yo|ich|mich)(?:,| et| y| und) (?:mon|ma|mi|meine?[rnm]?) {_PARTNER}\b"
 )
 SUMMED = re.compile(
     r"((?:kids room|relative's room|parents' bedroom)s?\b.*[.:;] ?(?:so,? )?(?:\d|two|three|four|five|six) bed "
@@ -83,7 +98,22 @@ def with_ours(text: str, claims: list[str]) -> str:
     rest = HAVING.sub("", text)  # "we have three kids rooms" tells not where those sleep who have them
     if rest != text and not (FAMILY.search(text) or COUNTED.search(text) or BEDROOMS.search(rest)):
         return f"{text.rstrip(' .!')}. a parents' bedroom."
+    if (beside := _beside_mine(text)) != text and not COUNTED.search(text):
+        return beside
     ours = [match for claim in claims if OURS.search(claim) for match in pattern("{who}").finditer(claim)]
     if not any(match["child"] or match["twins"] for match in ours) or COUNTED.search(text) or BEDROOMS.search(text):
         return text
     return f"{text.rstrip(' .!')}. a parents' bedroom."
+
+
+def _beside_mine(text: str) -> str:
+    """`i live with a relative's room`: that, and the room of those who live with them, where none is told of."""
+    found = LIVE_WITH.search(text) or AND_ME.search(text)
+    if found is None:
+        return text
+    rest = text[: found.start()] + text[found.end() :]
+    if BEDROOMS.search(rest) or any(kind_of(one) == "spouse" for one in pattern("{who}").finditer(rest)):
+        return text
+    several_of_us = {"the couple", "we", "wir", "nous", "vivimos"} & set(found.groupdict().values())
+    mine = "a parents' bedroom" if several_of_us else "my room"
+    return f"{text[: found.start()]}{found['room']}{text[found.end() :].rstrip(' .!')}. {mine}."

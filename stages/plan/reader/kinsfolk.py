@@ -7,6 +7,7 @@ from apartgen.stages.plan.reader.mine import beside_mine
 from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import CHILD, ELDER, reworded, rules
 from apartgen.stages.plan.reader.sharing import sharing
+from apartgen.stages.plan.reader.some_share import some_share
 
 _PARENT = r"(?:mum|mummy|mom|mommy|mama|mami|maman|mutter|mother|dad|daddy|papa|papi|father|vater)"
 _SIBLING = r"(?:(?:little|big|older|younger|elder|twin) )?(?:brother|sister|bruder|schwester|frere|soeur|herman[oa])"
@@ -23,6 +24,9 @@ _OTHER = (r"(?:another|(?:the |an )?other|(?:a |the )?(?:second|third|fourth)|"
 _WHOLE = (r"(?: (?:in total|in all|altogether|all told|insgesamt|zusammen|en tout|au total|en total|total))?")
 _THEIR = {"eltern": "die eltern haben ein schlafzimmer", "parents": "les parents ont une chambre",
           "padres": "los padres tienen un dormitorio"}  # fmt: skip
+_ME = {"我": "my room", "我们": "a parents' bedroom"}
+
+
 def _room_of(found: re.Match[str]) -> str:
     """`our bedroom and the baby's are next to each other`: the baby's room, where one was named before."""
     named = re.search(r"\b(?:bed ?rooms?|rooms?|ours|mine)\b", found.string[: found.start()])
@@ -40,6 +44,18 @@ _SAID = rules((
     (r"\b(?:wir|nous(?: les)?|nosotros(?: los)?) (?P<who>eltern|parents|padres) (?:haben|bekommen|brauchen|avons|"
      r"aurons|voulons|tenemos|queremos) (?:unser|ein|notre|une|nuestro|nuestra|un) (?:eigenes |propre |propi[oa] )?"
      r"{bedroom}(?: propi[oa])?\b", lambda found: _THEIR[found["who"]]),
+    # "meine Mutter, die ein eigenes Schlafzimmer braucht"
+    (r"(?P<who>\b(?:meine[rmn]?|unsere[rmn]?) [a-z]+)(?: zusammen)?,? (?P<die>die|der|das) (?P<room>(?:ein(?:en?)?|ihr|"
+     r"sein) eigene[sn]? {bedroom}) (?P<verb>braucht|hat|bekommt|will|mochte|haben|brauchen|bekommen)\b",
+     r"\g<who>, \g<die> \g<verb> \g<room>"),
+    (r"(?P<me>我们?)(?:和|跟|与)(?:我的?)?(?P<who>[^,.;和跟与]{1,4}?)(?:一起|同)?住[,.;] ?(?:她|他)(?:要|需要|"
+     r"想要)(?:有)?(?:一间)?"
+     r"自己的(?:卧室|房间)", lambda found: f"{_ME[found['me']]} and a relative's room"),
+    # "meine Eltern bekommen ein Schlafzimmer, ich brauche ein Zimmer"
+    (r"(?P<said>\b(?:meine eltern|mes parents|mis padres)\b[^.]*?[,;] ?(?:und |et |y )?)(?:ich (?:brauche|will|"
+     r"mochte|bekomme|"
+     r"habe|nehme)|(?:je veux|je voudrais|j'ai|il me faut|moi)|(?:necesito|quiero|yo|tengo))(?: auch| aussi| tambien)?"
+     r" (?:ein(?:en)?|une?|una?)(?: eigenes| kleines| petite)? {bedroom}\b", r"\g<said>a bedroom"),
     (r"\bwe parents (?=have|get|need|want|sleep|take|in )", "the parents "),
     (r"\b(parents (?:have|get|need|want)) our own (?=(?:bed ?)?room)", r"\1 their own "),
     (r"\b(die|unsere[nr]?|meine[nr]?|den) beiden (?={kinder}\b)", r"\1 zwei "),
@@ -73,7 +89,7 @@ _HIS = re.compile(r"\b(?:his|her) (?:bed ?)?room (?=(?:must|should|may|is|has|do
 
 def as_kin(text: str) -> str:
     """A folded text with such words; `his bedroom`, told of beside ours, is that of the one relative named."""
-    text = sharing(beside_mine(text))
+    text = sharing(some_share(beside_mine(text)))
     kin = {found[1] for found in _KIN.finditer(text)}
     if len(kin) == 1 and _HIS.search(text):
         text = re.sub(r"\b(?:his|her) (?=(?:bed ?)?room\b)", f"my {next(iter(kin))}'s ", text)

@@ -29,6 +29,7 @@ from apartgen.stages.plan.reader.rather import rather
 from apartgen.stages.plan.reader.rephrased import rephrased
 from apartgen.stages.plan.reader.several_areas import of_several
 from apartgen.stages.plan.reader.shared_baths import shared_by_others
+from apartgen.stages.plan.reader.simply import simply
 from apartgen.stages.plan.reader.straightened import straightened
 from apartgen.stages.plan.reader.tokens import fold
 from apartgen.stages.plan.reader.turned import turned
@@ -38,7 +39,7 @@ from apartgen.stages.plan.reader.ways import in_passing
 
 def in_known_words(prompt: str) -> str:
     """A prompt folded, with its clauses in such words."""
-    told = every_day(at_home(everywhere(for_whom_said(as_typed(without_false_friends(fold(prompt)))))))
+    told = every_day(at_home(everywhere(for_whom_said(simply(as_typed(without_false_friends(fold(prompt))))))))
     told = beside_entrance(in_characters(in_one_room(told)))
     told = unparted(named_again(told_apart(instead_of(shared_by_others(told)))))
     told = inverted(advertised(itemized(only_ways(meant_of(told)))))

@@ -30,6 +30,7 @@ def understood(prompt: str) -> None:
         return
     texts = [t.text for t in words]
     ours = max(sum(text in small for text in texts) for small in _small("read").values())
+    ours += any(_is_room(t) for t in tokens if id(t) in counted)  # "1BR, bay window"
     theirs, name = max((sum(text in small for text in texts), name) for name, small in _small("other").items())
     plainly = theirs >= 3 and theirs >= 3 * ours
     foreign = theirs >= 2 and theirs > ours and (known < MOST_KNOWN or plainly)
@@ -62,6 +63,11 @@ def _known(words: list[Token], lexicon: Lexicon) -> int:
         count += taken or any(texts[0].endswith(end) and len(texts[0]) > len(end) + 2 for end in lexicon.suffixes)
         i += taken or 1
     return count
+
+
+def _is_room(token: Token) -> bool:
+    readings = read_lexicon().entries.get((token.text,)) or ()
+    return token.kind == "word" and any(one.kind == "room" for one in readings)
 
 
 @cache

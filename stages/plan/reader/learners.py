@@ -67,6 +67,8 @@ _SAID = rules((
     (r"\bno need (?:of |for |to have )?(?:an? )?(?=[a-z])", "no "),
     (r"(?:^|[.;,] ?)(?:and )?in (?:the )?({room}) ((?:an? |one |two )?[a-z]+) and no ([a-z]+)(?= ?(?:[.,;]|$))",
      r". the \1 has \2 and no \3"),
+    # "two bathrooms from the corridor"
+    (r"\b(bath ?rooms?|toilets?) from the (?={hall})", r"\1 off the "),
     # "not make the kitchen open"
     (r"\b(?:please )?(?:do not|don't|not|never|no) (?:to )?(?:make|want|have|leave|like) (?:the |an? )?kitchen (?:to "
      r"be |be |which is )?"
@@ -80,7 +82,8 @@ _SAID = rules((
     (r"\b(is|are) (entering|accessing|reaching) from\b", r"\1 entered from"),
     (r"\b(from|to) ((?:the )?[a-z]+) and (?:from|to) ((?:the )?[a-z]+) (?:also|too)\b", r"\1 \2 and \1 \3"),
     # "the kitchen must be the most small room"
-    (r"\b(?:the )?most (big|large|small)(?=(?: room| one)?{end}| of )", lambda found: f"the {_MOST[found[1]]}"),
+    (r"\b(?:the )?most (big|large|small)(?=(?: room| one)?(?:{end}| of | in ))", lambda found: f"the "
+                                                                                               f"{_MOST[found[1]]}"),
     (r"\bmost (?:far|distant)(?: away)? from\b", "far from"),
     (r"\bmost (near|close)(?: to)?\b", "near"),
     # "bedroom are three", "bedroom is two, size is 13 m2 and 10 m2"

@@ -16,6 +16,9 @@ _SIDE = (r"(?:on|in|at|to|near|facing|towards) (?:the )?(?:very )?(?:(?:north|so
          r"rear|entrance|middle|cent(?:re|er)|street|garden)(?: side| end| corner| part)?")  # fmt: skip
 _ALONE = re.compile(r"\b(?:one|an?|the) (?:[a-z]+ ){0,2}bed ?room\b|\bone for\b|\banother for\b")
 _BEDS = re.compile(rf"\b(?:two|2|dos|deux|zwei)[ -]?(?:[a-z]+ )?{BEDROOMS}\b|[两二2][个间]?(?:卧室|房间|室)")
+_KIDS = late(r"\b(?:kids|children's|child's|nursery|kinderzimmer|(?:des |d')enfants?|de los ninos|ninos)\b")
+_OURS = late(r"\b(?:ours|our (?:bed ?)?room|parents|elternschlafzimmer|unsere?m? schlafzimmer|parentale|notre "
+             r"chambre|principal)\b")
 _TWO = re.compile(r"\b(?:two|2|three|3|both)[ -]?(?:[a-z]+ )?bed(?: ?rooms?)?\b|\bt3\b")
 
 
@@ -28,7 +31,8 @@ def _bedrooms(found: re.Match[str]) -> str:
 
 def _between(found: re.Match[str]) -> str:
     """`two bedrooms and a bathroom between them`: between the two bedrooms."""
-    two = _BEDS.search(found.string[: found.start()])
+    before = found.string[: found.start()]
+    two = _BEDS.search(before) or (_KIDS.search(before) and _OURS.search(before))
     end = "." if found.groupdict().get("on") else ""
     return f", {found['what']} between the two bedrooms{end}" if two else found.group()
 

@@ -3,7 +3,7 @@
 from apartgen.stages.plan.reader.differences import by_difference, differs
 from apartgen.stages.plan.reader.enumerated import known_list, subjects_listed
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
-from apartgen.stages.plan.reader.remarks import behind_remark
+from apartgen.stages.plan.reader.remarks import behind_remark, small_home
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
@@ -268,6 +268,7 @@ def _speaks_of_flat(before: list[Item], j: int, area: Item) -> bool:
     usual = sense()["area"].get(phrase.type, 12.0)
     apart = any(is_mark(i, ",") for i in before[j + 1 :])
     whole = bool(phrase.headline) and area.values[0] > 1.6 * usual  # "1 bath 6 m²" is no flat
+    whole = whole or (apart and small_home(before) and area.values[0] > 1.6 * usual)
     return whole or bool(area.values[0] > (2.2 * usual if apart else max(5.0 * usual, SMALLEST)))
 
 

@@ -46,6 +46,7 @@ def _lone(said: Said, home: Household) -> bool:
         or home.banned
         or any(phrase.type == "any" and phrase.quantifier in (Det.OTHER, Det.ALL) for phrase in said.rooms)
         or _presumed(said)
+        or any(asked.to == "entrance" for asked in said.asked)  # what has an entrance is a home
         or any(e.labels & {Trait.KIDS, Trait.RELATIVE} for e in home.of("bedroom"))
         or (home.of("bedroom") and len(said.unread) > 1)  # what is told of people and purposes is told of a home
         or len(home.of("bedroom")) > 1

@@ -36,6 +36,7 @@ from apartgen.stages.plan.reader.spoken_of import as_first_told, of_the_last
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
 PAIRS = r"(?:(?:grand)?parents|(?:gross)?eltern|padres|abuelos)\b"
 """Words for two people that need no article."""
+THEIR_SPOUSE = re.compile(r"(?:her|his|ihr(?:em|en)?|sein(?:e[mr]?|en)?|son|sa|su) ")
 WE = re.compile(r"\b(?:we|us|our|wir|uns|unser\w*|nous|nos|nuestr\w+)\b")
 
 
@@ -224,7 +225,8 @@ def _baths(text: str) -> str:
 def _household(text: str) -> tuple[People | None, str]:
     """`me, my wife and our two kids`; a single group is told by `about` alone, or is a family's children."""
     who = "{self}|{who}|{family}"
-    joint = "(?:(?<=\\bi) live with |,? (?:and|with|plus|und|mit|et|avec|y|con) |, | ?& |和|带)"
+    joint = ("(?:(?<=\\bi) live with | (?:also |still |now )?lives? with |,? (?:and|with|plus|und|mit|et|avec|y|con) |"
+             ", | ?[&+] |和|带)")  # fmt: skip
     run = pattern(rf"(?:\b(?:for|of|fur|pour|para) )?(?:{who})(?:{joint}(?:{who}))+", unnamed=True)
     found = run.search(text)
     if found is None or COUNTED.search(text):
@@ -239,7 +241,8 @@ def _household(text: str) -> tuple[People | None, str]:
 
 
 def _sum(groups: list[re.Match[str]]) -> People:
-    pairs = singles = children = 0
+    coupled, groups = _couples(groups)
+    pairs, singles, children = coupled, 0, 0
     kinds = [kind_of(match) for match in groups]
     for kind, match in zip(kinds, groups, strict=True):
         if match.groupdict().get("family"):
@@ -259,6 +262,15 @@ def _sum(groups: list[re.Match[str]]) -> People:
     return People(pairs=pairs, singles=singles, children=children)
 
 
+def _couples(groups: list[re.Match[str]]) -> tuple[int, list[re.Match[str]]]:
+    """How many are `my sister and her husband`, and the others."""
+    pairs = [(k, groups[k - 1], groups[k]) for k in range(1, len(groups))]
+    theirs = [k for k, one, other in pairs if kind_of(other) == "spouse" and THEIR_SPOUSE.match(other.group())
+              and kind_of(one) in ("adult", "child") and not several(one)]  # fmt: skip
+    gone = {j for k in theirs for j in (k - 1, k)}
+    return len(theirs), [match for k, match in enumerate(groups) if k not in gone]
+
+
 def _without_sharing(people: People, text: str, whole: str) -> tuple[People, str]:
     """`the two small ones share a room`, `the eldest has her own`, of people counted before."""
     some = "{before}?(?P<n>{numbers}) (?:of (?:them|the kids|the children) )?(?:\\w+ )?"
@@ -268,7 +280,7 @@ def _without_sharing(people: People, text: str, whole: str) -> tuple[People, str
         people = People(people.pairs, people.singles, max(people.children - fewer, 0))
         text = text[: shared.start()] + text[shared.end() :]
     they = pattern(
-        "\\b(?:they|who|sie|ils|elles|ellos|ellas) (?:both |all |will |can )?{share} ?{article}*{room}"
+        "\\b(?:they|who|sie|ils|elles|ellos|ellas|die|qui|que) (?:both |all |will |can )?{share} ?{article}*{room}"
     ).search(text)
     if they is not None and people.children > 1:
         people = replace(people, children=1)

@@ -120,7 +120,7 @@ def _beside_what(items: list[Item], k: int) -> list[RoomPhrase]:
     return []
 
 
-def _one(room: RoomPhrase) -> bool:
+def one_new(room: RoomPhrase) -> bool:
     return room.quantifier == Det.A or (room.quantifier == Det.BARE and room.count == 1)
 
 
@@ -144,11 +144,13 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     listed = listed and not _led_to(items, j - 5)
     listed = listed or (j > 2 and items[j - 3].value == "plus" and first.quantifier == Det.A)
     single = items[k].text.startswith(("is ", *SINGULAR)) or (j > 2 and bool(side_of(items[j - 3])))
-    if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
-        return [last]  # "an office and a balcony facing south"
+    alone = items[k].text.startswith("facing")
+    alone = alone or (items[k].kind in ("link", "side_role") and all(i.kind != "copula" for i in items[j + 1 : k]))
+    if alone and one_new(first) and one_new(last):
+        return [last]  # "an office and a balcony facing south", "a bathroom and a toilet next to the front door"
     alike = (first.quantifier in KNOWN) == (last.quantifier in KNOWN)
     alike = alike or (first.quantifier == Det.THE and _shares_article(last))  # "the kitchen and bathroom face north"
-    alike = alike and not (first.quantifier == Det.BARE and first.count != 1 and _one(last))
+    alike = alike and not (first.quantifier == Det.BARE and first.count != 1 and one_new(last))
     return [first, last] if alike and not listed and not single else [last]
 
 

@@ -88,7 +88,7 @@ _SAID = rules((
      r"(?P<n>{seats}|\d\d?)|fur (?P<zahl>zwei|drei|vier|funf|sechs|acht|zehn|\d\d?)|"
      r"pour (?P<nombre>deux|trois|quatre|cinq|six|huit|dix|\d\d?)|"
      r"para (?P<cuantos>dos|tres|cuatro|cinco|seis|ocho|diez|\d\d?))"
-     r"(?: people| persons| guests| of us| diners| personen| personnes| personas)?)"
+     r"(?: people| persons?| guests| of us| diners| personen| personnes| personas)?)"
      r"(?= ?(?:[.,;)]|$)| (?:in|and|with|at|im|und|mit|dans|et|en|y)\b)", _seated),
     # "the entrance opens straight into the living room", "que el baño no dé al salón"
     (r"\b(opens?|leads?|opening|leading) (?:straight|directly|right|immediately) (?=(?:in|on)?to\b)", r"\1 "),

@@ -6,7 +6,7 @@ from apartgen.stages.plan.reader.clausal import again_named
 from apartgen.stages.plan.reader.clauses import clause_of
 from apartgen.stages.plan.reader.entrances import and_entrance, and_room, at_entrance, link_before, near_behind, there
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
-from apartgen.stages.plan.reader.placed import nowhere, rooms_placed, seen_from, side_of
+from apartgen.stages.plan.reader.placed import nowhere, one_new, rooms_placed, seen_from, side_of
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
@@ -55,13 +55,13 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             continue
         if placing:
             rooms = [known(room, items) for room in rooms_placed(items, k)]
-            again = " its " in item.text and any(" its " in i.text for i in items[:k] if i.kind == "place")
-            seen_from = seen_from if again else _whose(items, k)
+            seen_from = seen_from if _its_again(items, k) else _whose(items, k)
             item = _as_before(items, k)
             to = _again_beside(items, k) or seen_from
             said.asked += [_placed(item, room, text, to) for room in rooms if room is not seen_from]
             said.unread += [] if rooms else [text]
             clause_of(out, rooms, text)
+            items = _placed_and(items, k)
         elif near_behind(items, k) and (rooms := there(items, k + 2) or rooms_placed(items, k)):
             said.asked += _from_entrance(rooms, items, "near", text)
             clause_of(out, rooms, text)
@@ -94,6 +94,21 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
         k += 1
     return out
+
+
+def _its_again(items: list[Item], k: int) -> bool:
+    """`on its left …, on its right …`, of the same room."""
+    return " its " in items[k].text and any(" its " in i.text for i in items[:k] if i.kind == "place")
+
+
+def _placed_and(items: list[Item], k: int) -> list[Item]:
+    """`a bedroom facing east and a study next to the lounge`: what is next to it is the study alone."""
+    joint, new, link = (items[k + 1 : k + 4] + [Item("")] * 3)[:3]
+    first, told = items[k - 1].room if k else None, new.room
+    alone = joint.value == "and" and link.kind == "link" and link.value in ("near", "apart")
+    if not alone or first is None or told is None or not one_new(told) or first.quantifier == Det.THE:
+        return items
+    return [*items[: k + 1], Item("mark", ",", ","), *items[k + 2 :]]
 
 
 def _unless_denied(out: list[Item], value: str) -> str:

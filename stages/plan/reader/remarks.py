@@ -1,6 +1,6 @@
 """Rooms that areas are said of behind remarks: in commas, or whose home it is."""
 
-from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.vocabulary import Det
 
@@ -51,3 +51,11 @@ def behind_remark(before: list[Item], area: Item) -> RoomPhrase | None:
         return None
     told = any(i.kind == "copula" or i.value == "has" for i in before[verb:])
     return room if told or area.values[0] <= 2.2 * sense()["area"].get(room.type, 12.0) else None
+
+
+def small_home(before: list[Item]) -> bool:
+    """Whether a home of at most one bedroom has been told of, and no area: `one-bedroom flat, open kitchen, 40 m²`."""
+    told = rooms_of(before)
+    beds = [r for r in told if r.type == "bedroom"]
+    home = any(i.kind == "dwelling" for i in before) and not any(r.areas or r.factor != 1.0 for r in told)
+    return home and len(beds) < 2 and all((r.count or 1) == 1 and not r.plural for r in beds)

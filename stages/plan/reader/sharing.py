@@ -46,6 +46,10 @@ _SAID = rules((
     (r"\b(?P<we>my (?:wife|husband|partner|spouse|girlfriend|boyfriend)),? (?P<them>our [^.;,()]{3,40}?|our [^.;,()"
      r"]{3,40}? \([^)]*\)),? "
      r"and (?:i|me)\b", r"\g<we> and i and \g<them>"),
+    (r"\b(?P<we>(?:meine?|ma|mon|mi) (?:frau|mann|partner(?:in)?|freundin|mari|femme|compagne|compagnon|marido|mujer|"
+     r"espos[oa]|pareja)),? "
+     r"(?P<them>(?:unser[a-z]*|notre|nos|nuestr[oa]s?) [^.;,()]{3,40}?),? (?P<and>und|et|y) (?P<me>ich|moi|yo)\b",
+     r"\g<we> \g<and> \g<me> \g<and> \g<them>"),
     (r"\btwin (?=(?:boys|girls|sons|daughters)\b)", "two "),
     # "two kids (they share)", "(sharing a room)"
     (r" ?\((?:and )?(?:they |who |both |all |the two |these )?(?:will |can |would like to )?(?:share|sharing|are "

@@ -23,11 +23,26 @@ _HAVE_A = Late(
     r"\b(?:we|i) (?:also |already )?have (?:an?|one) (?:(?:[a-z]+|\d+)(?:-[a-z]+)*[ -]){0,3}?(?P<who>{kin})\b{aged}?"
     r"(?P<of>[^.;,:]{0,40})[.;,:] ?(?:and |so )?(?:she|he|it|who|the (?:child|baby)) (?={needs})", _WORDS)  # fmt: skip
 _OLD = Late(r"\b(?P<who>(?:our|my|the) (?:{several} )?{young}) are (?:already )?{years},? (?:and|so|but) (?:they )?"
-            r"(?=(?:each|both|all) )", _WORDS)  # fmt: skip
+            r"(?=(?:each|both|all|share|sleep|need|have|get) )", _WORDS)  # fmt: skip
 _LIVES = Late(
     r"\b(?P<who>(?:my|our) {kin}|{elder}) (?:also )?(?:lives?|stays?|moves? in|is moving in|is going to live|"
-    r"will live|comes to live|is staying)(?: (?:with|in with) (?:us|me|our family))?[.;,:] ?(?:and |so )?"
-    r"(?:she|he|it|who) (?={needs})", _WORDS)  # fmt: skip
+    r"will live|comes to live|is staying)(?: (?:with|in with) (?:us|me|our family))?"
+    r"(?:[.;,:] ?(?:and |so )?(?:she|he|it|who)| and(?: she| he)?) (?={needs})", _WORDS)  # fmt: skip
+_IN_LAW = re.compile(r"\b(mother|father|sister|brother) in law\b")
+_LIVE_WITH = Late(
+    r"\b(?P<live>(?:i|we) (?:still |also )?live (?:together )?with) (?P<who>(?:my|our) {kin})[.;,:] ?(?:and |so |but )?"
+    r"(?:she|he) (?={needs})", _WORDS)  # fmt: skip
+_AND_ME = Late(
+    r"\b(?:(?P<who>my {kin}) and (?:me|i|myself)|(?:me|myself) and (?P<whom>my {kin}))[.;,:] ?(?:and |so |but )?"
+    r"(?:she|he|who) (?=(?:will |should |must )?(?:need|want|get|have|has)s? [a-z ]{0,10}?(?:bed "
+    r"?)?room\b)", _WORDS)  # fmt: skip
+_WHOSE = r"(?:our|my|one|an?|unsere?|meine?[rnm]?|notre|mon|ma|nuestr[oa]|mi)"
+_ONE = r"(son|daughter|baby|mother|father|sohn|tochter|mutter|vater|fils|fille|mere|pere|hij[oa]|madre|padre)"
+_AGAIN = (r"[.;] (?:the|our|my|der|die|unsere?|meine?|le|la|notre|ma|mon|el|mi|nuestr[oa]) {} (?:also |auch )?"
+          r"(?=needs?|wants?|gets?|has|should have|braucht|bekommt|hat|will|a besoin|veut|necesita|quiere|"
+          r"tiene)")  # fmt: skip
+_WHO_NEEDS = Late(rf"\b({_WHOSE} {_ONE})" + _AGAIN.replace("{}", r"\2"))
+_TOLD_AGAIN = Late(rf"(?:,| and| und| et| y)+ {_WHOSE} {_ONE}\b(?=[^.;]*" + _AGAIN.replace("{}", r"\1") + ")")
 _OF_HIS_OWN = Late(r"\b(?P<room>(?:needs?|wants?|gets?|has|have) an? (?:own )?(?:bed ?)?room\b[^.;,]{0,40}?),? and an? "
                    r"(?P<bath>bath ?room|toilet|shower room|wc) of (?:his|her|their|its) own\b", _WORDS)  # fmt: skip
 _WE = Late(r"\b(?:we (?:also )?(?:need|want|have|sleep|get|keep)|ours|(?:bed ?)?room for (?:us|me))\b")
@@ -37,7 +52,10 @@ _OF_THEM = re.compile(r"\b(?:his|her|its|their) (?:own )?(?:bed ?)?room\b")
 
 def as_first_told(text: str) -> str:
     """A folded text in which `one for us` is the parents' room, where that is told of later, and `she` is named."""
+    text = _TOLD_AGAIN.sub("", _WHO_NEEDS.sub(r"\1 who ", text))
     text = _OF_HIS_OWN.sub(r"\g<room> with its own \g<bath>", _OLD.sub(r"\g<who> ", text))
+    text = _LIVE_WITH.sub(r"\g<live> \g<who> who ", _IN_LAW.sub(r"\1-in-law", text))
+    text = _AND_ME.sub(lambda found: f"me and {found['who'] or found['whom']} who ", text)
     text = _with_us(_HAVE_A.sub(r"our \g<who>\g<of> ", text))
     found = _ONE_FOR_US.search(text)
     if found is None or not _COUNTED.search(text[: found.start()]) or not _OURS.search(text[found.end() :]):
