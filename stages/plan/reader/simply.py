@@ -97,6 +97,13 @@ _SAID = rules((
     (r"\bdoppel(?:schlaf)?zimmer\b", "double bedroom"),
     (r"\b(?P<n>zwei|drei|vier|[2-4]) einzelzimmern?\b", r"\g<n> single bedrooms"), (r"\beinzelzimmer\b", "single "
                                                                                                          "bedroom"),
+    # "une chambre pour mes parents et une pour moi", "one for the boys, who share"
+    (r"(\bchambre pour [^.;,]{2,30}?),? et une(?: autre)? pour (?=moi\b)", r"\1 et une chambre pour "),
+    (r"(\b(?:schlaf)?zimmer fur [^.;,]{2,30}?),? und eine?[sm]?(?: weiteres)? fur (?=mich\b)",
+     r"\1 und ein schlafzimmer fur "),
+    (r"\b((?:one|another)(?: bed ?room| room)? for (?:the|our|my) (?:two |three )?(?:boys|girls|kids|children|sons|"
+     r"daughters)),? "
+     r"(?:who|to) (?:will |can |want to )?share(?: (?:it|a room|one))?{end}", r"\1"),
     # "every of us needs own room", "four peoples", "the kitchen is open with the salon", "one big bed"
     (r"\bevery of (us|them|the)\b", r"each of \1"),
     (r"\b(needs?|wants?|gets?|has|have|having) own (?=(?:bed ?|bath ?)?rooms?\b|desk\b)", r"\1 his own "),

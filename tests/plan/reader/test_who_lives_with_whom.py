@@ -69,6 +69,12 @@ TOLD_AGAIN = [
     ("Somos cuatro: mi marido, yo y dos niños", "B3 H K L W2", "!unread cuatro"),
     ("My kids are 5 and 8 and share a room. We need a bedroom too.", "B2 H K L W", ""),
 ]
+FOR_WHOM = [
+    ("une maison avec une chambre pour mes parents et une pour moi", "B2 H K L W", ""),
+    ("una casa con una habitación para mis padres y otra para mí", "B2 H K L W", ""),
+    ("ein Haus mit einem Schlafzimmer für meine Eltern und einem für mich", "B2 H K L W", ""),
+    ("three bedrooms: one for us, one for grandma, one for the boys, who share", "B3 H K L W2", ""),
+]
 WHOSE = [
     ("三室一厅，女儿住次卧", "B3 H K L W2", "!unread 女, !unread 住"),
     ("两室一厅，主卧我们住，次卧女儿住", "B2 H K L W", "!unread 女, !unread 住"),
@@ -88,6 +94,7 @@ test_those_who_live_with_somebody = as_meant(WITH_SOMEBODY)
 test_couples_among_kin = as_meant(COUPLES)
 test_some_children_share = as_meant(SOME_SHARE)
 test_people_told_of_again = as_meant(TOLD_AGAIN)
+test_for_whom = as_meant(FOR_WHOM)
 test_whose_room = as_meant(WHOSE)
 test_a_bathroom_that_we_share_is_nobody_s_own = as_meant(SHARED)
 
