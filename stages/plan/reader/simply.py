@@ -98,12 +98,8 @@ _SAID = rules((
     (r"\b(?P<n>zwei|drei|vier|[2-4]) einzelzimmern?\b", r"\g<n> single bedrooms"), (r"\beinzelzimmer\b", "single "
                                                                                                          "bedroom"),
     # "une chambre pour mes parents et une pour moi", "one for the boys, who share"
-    (r"(\bchambre pour [^.;,]{2,30}?),? et une(?: autre)? pour (?=moi|nous|mon|ma|mes|notre|nos|les?|la)",
-     r"\1 et une chambre pour "),
-    (r"(\b(?:habitacion|dormitorio|cuarto) para [^.;,]{2,30}?),? y (?:un|otr)[oa] para (?=mi|nosotr|nuestr|los?|las?|"
-     r"el)",
-     r"\1 y un dormitorio para "),
-    (r"(\b(?:schlaf)?zimmer fur [^.;,]{2,30}?),? und eine?[sm]?(?: weiteres)? fur (?=mich|uns|mein|unser|die|den|das)",
+    (r"(\bchambre pour [^.;,]{2,30}?),? et une(?: autre)? pour (?=moi\b)", r"\1 et une chambre pour "),
+    (r"(\b(?:schlaf)?zimmer fur [^.;,]{2,30}?),? und eine?[sm]?(?: weiteres)? fur (?=mich\b)",
      r"\1 und ein schlafzimmer fur "),
     (r"\b((?:one|another)(?: bed ?room| room)? for (?:the|our|my) (?:two |three )?(?:boys|girls|kids|children|sons|"
      r"daughters)),? "
