@@ -101,7 +101,7 @@ def test_drafts():
             some.append(drafts.Draft(f"text {k % 9}", answer, views, {}, (b,), value, int(rng.integers(3)),
                                      frozenset(barred) if k % 4 == 0 else frozenset()))
         found[str(seed)] = {name: drafts.asked("kind", chosen, rng) for name, chosen in (
-            ("shared", drafts.shared(some, rng, 12)), ("two", drafts.shared(some, rng, 6, 2)),
+            ("shared", drafts.shared(some, rng, 12)), ("two", drafts.shared(some, rng, 6)),
             ("balanced", drafts.balanced(some, rng, 9)), ("either", drafts.either_way(some, rng, 7)),
             ("some", drafts.some(some, rng, 8)))}
     kept.same("qa", "drafts", found)
