@@ -14,7 +14,7 @@ from apartgen.stages.embodied.interact.act import Actor
 from apartgen.stages.embodied.interact.aim import OPTIONS
 from apartgen.stages.embodied.interact.chains import GOAL, STEPS, Chains
 from apartgen.stages.embodied.interact.near import Surroundings
-from apartgen.stages.embodied.interact.plan import Planner
+from apartgen.stages.embodied.interact.plan import Planner, spread
 from apartgen.stages.embodied.interact.probe import CLEARANCE, Probe
 from apartgen.stages.export import mjcf
 from apartgen.stages.scene.scene import Scene
@@ -312,3 +312,8 @@ def test_of_other_rooms_only_what_is_near_a_passage_is_touched() -> None:
     assert around._beside("own").tolist() == [True, False, True, False, True, True, True]
     around.passages = [(["other", "third"], np.array([[4.0, 1.0], [4.0, 2.0]]))]
     assert around._beside("own").tolist() == [False, False, False, False, True, True, False]
+
+
+@pytest.mark.parametrize("n", [0, 1, 2, 3, 7, 8, 9, 40])
+def test_an_order_that_comes_near_everywhere_soon_leaves_nothing_out(n):
+    assert sorted(spread(n)) == list(range(n))

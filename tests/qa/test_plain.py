@@ -258,3 +258,17 @@ def test_left_is_asked_of_what_is_left_at_both_ends(monkeypatch, desk, lamp, yes
     monkeypatch.setattr(left_of, "either_way", lambda drafts, rng, most: drafts)
     found = facts([{id: (900, (low, 10, high - low, 50)) for id, (low, high) in spans.items()}], things)
     assert bool(left_of.ask(found, np.random.default_rng(0), 8)) == yes
+
+
+@pytest.mark.parametrize(("doors", "asked"), [(1, True), (3, True), (4, False)])
+def test_a_way_has_three_doors_at_most_behind_the_entrance(monkeypatch, doors, asked):
+    """Of two places in pictures, to the left and to the right, so that each answer is the other's wrong one."""
+    found = facts([{SOFA.id: (900, ALL)}, {SOFA.id: (900, ALL)}], [SOFA])
+    door = next(o for o in h.openings() if o.kind == "door")
+    turns = iter(["left", "right"])
+    monkeypatch.setattr(route, "_seen", lambda facts, entrance: True)
+    monkeypatch.setattr(route, "tells_its_place", lambda facts, view: True)
+    monkeypatch.setattr(route, "_sure", lambda facts, way, goal, room: [next(turns)])
+    monkeypatch.setattr(Facts, "above", lambda self: ["above"])
+    monkeypatch.setattr(Facts, "way", lambda self, a, b: [door] * doors)
+    assert bool(route.ask(found, np.random.default_rng(0), 8)) == asked
