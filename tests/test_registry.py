@@ -83,6 +83,22 @@ def test_what_gives_another_type_is_told() -> None:
         contract.guarded(member, (Doubles,), str).double(1)
 
 
+class Halves(Protocol):
+    """A contract of numbers with a fraction."""
+
+    def half(self, number: int) -> float:
+        """Half as much."""
+
+
+def test_a_whole_number_is_a_number() -> None:
+    member = ModuleType("stranger")
+    vars(member)["half"] = lambda number: number // 2
+    assert contract.guarded(member, (Halves,), str).half(8) == 4
+    vars(member)["half"] = lambda number: number > 2
+    with pytest.raises(BadInput, match="gave a bool, not a float"):
+        contract.guarded(member, (Halves,), str).half(8)
+
+
 class Both(Protocol):
     """A contract of two functions."""
 

@@ -357,3 +357,14 @@ def test_colliders_of_a_very_fine_mesh_need_little_memory():
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 200 * 2**20
+
+
+@pytest.mark.parametrize("flat", [0, 1, 2])
+def test_a_flat_thing_collides_as_a_box_that_is_a_little_thick(flat):
+    from apartgen.stages.retrieve.reading import convex
+
+    size = np.insert(np.array([0.4, 0.6]), flat, 0.0)
+    points = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * size
+    found = convex.hull(np.unique(points, axis=0))
+    assert found.kind == "box" and np.allclose(found.center, size / 2)
+    assert np.allclose(found.size, np.insert(np.array([0.4, 0.6]), flat, convex.THIN))
