@@ -1,7 +1,7 @@
 """Opening: let every part of furniture and every room door move through its whole range, by true geometry.
 
-For each thing that does not, in this order: what it meets, or it itself, is nudged; it gets another design that opens
-otherwise, or what it meets a smaller one; one of the two gets another place in its room; the less important one is
+For each thing that does not, in this order: what it meets, or it itself, is nudged; it, or what it meets, gets another
+design that opens otherwise, or a smaller one; one of the two gets another place in its room; the less important one is
 left out. A repair counts only if nothing else is lost by it. A seat that stands in its table is drawn back, or stays.
 """
 

@@ -141,20 +141,14 @@ def _narrows(boxes: Array, space: Space) -> Flags:
 def _at_turn(boxes: Array, space: Space) -> Flags:
     """Between which (n, 7) and the corner of a wall round which one walks there is too little floor: there is some
     before them and beside them, but not all of it between."""
-    bad = np.zeros(len(boxes), bool)
-    for side in (1, -1):
-        before, *between, beside = (~_out(boxes, angle, side, space) for angle in np.linspace(0, np.pi / 2, 5))
-        bad |= before & beside & ~np.all(between, axis=0)
-    return bad
-
-
-def _out(boxes: Array, angle: float, side: int, space: Space) -> Flags:
-    """Whether the place so far from a front corner, towards an angle between ahead and sideways, is beyond a wall."""
-    x, y = boxes[:, 3] / 2 + TURN * np.cos(angle), side * (boxes[:, 4] / 2 + TURN * np.sin(angle))
+    angle, side = np.linspace(0, np.pi / 2, 5)[:, None], np.array([1.0, -1.0])[:, None, None]
+    x, y = boxes[:, 3] / 2 + TURN * np.cos(angle), side * (boxes[:, 4] / 2 + TURN * np.sin(angle))  # from front corners
     c, s = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
-    center = np.column_stack([boxes[:, 0] + c * x - s * y, boxes[:, 1] + s * x + c * y, np.full(len(boxes), HIGH)])
-    points = Boxes(np.asarray(center, float), np.zeros((len(boxes), 3)), np.asarray(boxes[:, 2], float))
-    return np.asarray(outside(points, space) > SHALLOW)
+    x, y = boxes[:, 0] + c * x - s * y, boxes[:, 1] + s * x + c * y
+    at = np.stack(np.broadcast_arrays(x, y, HIGH), -1).reshape(-1, 3)
+    points = Boxes(at.astype(float), np.zeros(at.shape), np.zeros(len(at)))
+    before, *between, beside = (outside(points, space) <= SHALLOW).reshape(2, 5, -1).swapaxes(0, 1)
+    return np.asarray((before & beside & ~np.all(between, axis=0)).any(0))
 
 
 @cache

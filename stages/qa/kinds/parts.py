@@ -14,8 +14,8 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     drafts = []
     for it in facts.marked:
         o = facts.objects[it.id]
-        baked_in = o.category in TABLE and TABLE[o.category].is_for("bake")
-        if isinstance(o, Furnishing) and facts.fine(it) and not blank(o) and not baked_in:
+        oven = o.category in TABLE and TABLE[o.category].is_for("bake")
+        if isinstance(o, Furnishing) and facts.fine(it) and not blank(o) and not oven:
             text = f"How many doors, drawers, flaps and lids of {it} can be opened?"
             drafts.append(facts.numbered(it.view, text, str(len(o.joints)), {"object": it.id}))
     return shared(drafts, rng, most)
