@@ -323,6 +323,17 @@ def test_what_stands_on_itself_is_told_where_it_is_said():
         ("objects[1].on", "'b' would stand on itself by way of 'a'")]
 
 
+@pytest.mark.parametrize("short, proper", [(0.0012, True), (0.0008, False)])
+def test_corners_less_than_a_millimetre_apart_are_one(short, proper):
+    """A corner cut off by so much; a coarser program's outlines are taken as they are."""
+    home = handmade.home()
+    ring = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (short, 3.0), (0.0, 3.0)]
+    room = home.rooms[0].model_copy(update={"polygon": ring})
+    told = [fault.what for fault in consistency.faults(home.model_copy(update={"rooms": [room, *home.rooms[1:]]}))
+            if fault.where == "rooms[0].polygon"]
+    assert (not told) == proper and all("coincide" in what for what in told)
+
+
 @pytest.mark.parametrize("x, y, words", [
     (consistency.FARTHEST + 1, 0, "from the origin"), (0, -consistency.FARTHEST - 1, "from the origin"),
     (-consistency.FARTHEST - 1, 1, "from the origin"), (consistency.WIDEST + 1, 0, "m wide"),

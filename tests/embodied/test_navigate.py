@@ -105,6 +105,7 @@ def test_running_against_something_is_felt_and_ends_the_drive(tmp_path):
     home = blocks.furnished(blocks.corridor(6, 0.58), blocks.block("goal", 5.75, 0.29, 0.4, 0.5, np.pi))
     went = _unseen(home, tmp_path, blocks.block("post", 3.0, 0.29, 0.1, 0.1))
     assert went.push > GRAZE and went.reason == "ran against post" and not went.done
+    assert went.touches >= 1
     assert went.pose[0] == pytest.approx(3.0 - 0.05 - base.RADIUS, abs=0.02)
 
 

@@ -54,6 +54,22 @@ def test_left_and_right_are_a_viewers(quarter):
                    "w": pytest.approx((1.5, 2.2, 1.0, 2.0))}
 
 
+def test_a_jamb_is_no_wall_to_be_drawn():
+    """Of two returns of a niche, .4 m and .2 m deep, each with a panel on it, the deeper one is seen as a wall."""
+    home = sample.home()
+    ring = [(0, 0), (4, 0), (4, 3), (2.5, 3), (2.5, 3.4), (1.5, 3.4), (1.5, 3.2), (0, 3.2)]
+    room = home.rooms[0].model_copy(update={"polygon": ring})
+    base = without_things(home).objects[0]
+
+    def panel(id, x, y, yaw):
+        return base.model_copy(update={"id": id, "room": room.id, "center": (x, y, 1.0), "size": (0.02, 0.1, 0.5),
+                                       "yaw": yaw, "on": "wall", "joints": []})
+
+    things = [panel("deep", 2.49, 3.2, np.pi), panel("shallow", 1.51, 3.3, 0.0)]
+    seen = walls_seen(home.model_copy(update={"rooms": [room], "objects": things, "openings": []}), [room])
+    assert [(wall.length, [o.id for o, _ in wall.things]) for wall in seen] == [(pytest.approx(0.4), ["deep"])]
+
+
 @pytest.fixture(scope="module")
 def studio():
     return artifact.read(HOME, Walkable).body

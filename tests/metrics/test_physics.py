@@ -29,6 +29,13 @@ def test_what_rests_stays_and_what_hangs_falls(tmp_path):
     assert found["rests"] < 0.005 and found["hangs"] == pytest.approx(0.3, abs=0.01)
 
 
+def test_things_are_left_alone_for_two_seconds(tmp_path):
+    """What falls through a world without a floor falls by half of g t squared."""
+    path = tmp_path / "bare.xml"
+    path.write_text(FRAME.replace('<geom name="floor" type="plane" size="5 5 0.1"/>', "").format(box("falls", 0, 0)))
+    assert _physics.drift(_physics.mjcf_model(path))["falls"] == pytest.approx(9.81 * 2.0**2 / 2, abs=0.1)
+
+
 def test_a_drawer_comes_out_as_far_as_it_is_let(tmp_path):
     (free,) = _physics.travels(world(tmp_path, DRAWER))
     assert free.joint == "slide" and free.share == 1

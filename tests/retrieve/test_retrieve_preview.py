@@ -35,6 +35,18 @@ def test_an_open_wardrobe_looks_other_than_a_closed_one_and_both_fill_their_pict
     assert np.mean(np.abs(closed - paper).max(-1) > 15) > 0.2
 
 
+def test_things_are_seen_a_little_from_above():
+    """Seen from afar, 28° above the horizon and 32° aside, the top of a cube takes sin 28° of sin 28° + cos 28° (sin 32° +
+    cos 32°), .28 of what is seen of it; from near by, somewhat less."""
+    top, rest = Material("top", (0.9, 0.05, 0.05, 1.0)), Material("rest", (0.05, 0.05, 0.9, 1.0))
+    upper = np.isin(FACES, [1, 3, 5, 7]).all(1)
+    meshes = [Mesh(CORNERS, FACES[upper], top, None), Mesh(CORNERS, FACES[~upper], rest, None)]
+    lid = Asset("mine", "lid", "chair", "", (0.5, 0.5, 0.5), [Link("base", meshes, [], 1.0)])
+    r, _, b = np.moveaxis(render.pair(lid, 96)[0].astype(int), -1, 0)
+    red, blue = (r > 2 * b).sum(), (b > 2 * r).sum()
+    assert 0.2 < red / (red + blue) < 0.28
+
+
 def test_the_same_asset_gives_the_same_picture():
     asset = furniture.build("chair", "windsor", categories.TABLE["chair"].size, 1)
     assert all((a == b).all() for a, b in zip(render.pair(asset, 48), render.pair(asset, 48), strict=True))

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from apartgen.stages.layout.datasets import _frames, furnisher, single_rooms
-from apartgen.stages.layout.datasets._furnish import anchors, dressing, kernels
+from apartgen.stages.layout.datasets._furnish import anchors, dressing, kernels, runs, sleeping
+from apartgen.stages.layout.datasets._furnish.legs import Leg
 from apartgen.stages.layout.datasets._furnish.space import Space
 
 
@@ -32,6 +33,26 @@ def test_the_first_thing_of_a_room_that_hangs_is_not_missed() -> None:
     space = Space(furnisher.shape_of(plan, plan.rooms[0]), np.random.default_rng(2))
     assert space.wish("mirror", 1.0, lambda: dressing.on_wall(space, "mirror"))
     assert space.placed.name == ["mirror"] and space.missed == 0
+
+
+@pytest.mark.parametrize("side, fits", [(4.0, True), (1.5, False)])
+def test_a_bed_of_two_stands_in_a_bedroom_and_not_in_a_closet(side: float, fits: bool) -> None:
+    """What is told is what stands there, in ten bare rooms."""
+    plan = single_rooms.draw(np.random.default_rng(3), "bedroom")
+    room = plan.rooms[0].model_copy(update={"polygon": [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)]})
+    bare = plan.model_copy(update={"rooms": [room], "openings": []})
+    for seed in range(10):
+        space = Space(furnisher.shape_of(bare, room), np.random.default_rng(seed))
+        assert sleeping.double(space) is fits is ("double_bed" in space.placed.name)
+
+
+def test_a_kitchen_bakes_in_one_place() -> None:
+    """In an oven below its hob or in one at the height of eyes, over 300 runs of 5 m."""
+    style, found = runs.Style(0.6, 0.9, np.array([0.35, 0.6, 0.7]), 1.4), []
+    for seed in range(300):
+        units = runs._units([Leg(0, 0.0, 5.0)], style, np.random.default_rng(seed), 17, False, 0)
+        found.append(sum(unit.category == "oven" for unit in units))
+    assert set(found) == {0, 1} and found.count(1) > found.count(0)
 
 
 @pytest.mark.parametrize("size", [0.5, 5.0])

@@ -216,6 +216,13 @@ def test_a_sofa_leaves_a_wall_before_it_to_the_television(width: float, fits: bo
     assert followers.fit(room(width, 4.0), "sofa", sofa, []) == 1
 
 
+def test_what_comes_beside_a_bed_is_tried_from_wide_to_narrow() -> None:
+    """The narrowest of each kind still holds a lamp, .3 m."""
+    for kind in {name for name, _ in followers.BESIDE}:
+        wide = [size[1] for name, size in followers.BESIDE if name == kind]
+        assert wide == sorted(set(wide), reverse=True) and wide[-1] > 0.3
+
+
 def test_where_nobody_opens_a_nightstand_a_small_table_stands_beside_the_bed() -> None:
     """Its head at the north wall with .5 m on its east side, where a usual nightstand leaves nobody before its drawer
     and a small table does; what stands there is within reach of who lies there."""
