@@ -21,7 +21,7 @@ _COUNTED = re.compile(r"\b([2-6]|two|three|four|five|six) ((?:bed|bath) ?room)s\
 _COUNTS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
 _SIGNED = re.compile(rf"(?:\b(?:no|nos|nr|number|numbers)\b\.? ?|#)([1-6])(?: ?(?:and|&) ?([1-6]))?{_SAID}")
 _LABELLED = re.compile(rf"\b{LABEL} $")
-_ONE_DOES = r"(?= (?:has|gets|is|shares|uses|faces|needs|opens|should|must)\b)"
+_ONE_DOES = r"(?! is (?:enough|fine|plenty|ok|too)\b)(?= (?:has|gets|is|shares|uses|faces|needs|opens|should|must)\b)"
 _TWO_DO = r"(?= (?:both |all )?(?:have|get|are|share|use|face|need|open|should|must)\b)"
 _BARE = re.compile(
     rf"(?:(?<=[-,.;:] )|(?<=and ))(?<!\d, )(?<!\d and )([1-6])(?: (?:and|&) ([1-6]){_TWO_DO}|{_ONE_DOES})"

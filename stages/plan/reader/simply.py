@@ -3,7 +3,7 @@
 import re
 
 from apartgen.stages.plan.reader.about import numbers
-from apartgen.stages.plan.reader.pieces import Words, reworded, rules
+from apartgen.stages.plan.reader.pieces import ELDER, Words, reworded, rules
 
 _ONE_EACH = (r"(?:each(?: one)?(?: of us)?|both(?: of us)?|every(?:one|body)|cada un[oa](?: de nosotr[oa]s)?|"
              r"chacune?(?: de nous| d'entre nous)?|jede[rs]?(?: von uns)?)")  # fmt: skip
@@ -13,6 +13,9 @@ _WITH = (r"(?P<with>,? (?:with|con|avec|mit)\b)?")
 _ES_DOOR = r"(?:tener|tenga|tiene|haya)(?: una| ninguna)? puertas?(?: directa)? (?P<to>al?|hacia|con|que de a) ?"
 
 
+_EVERYBODY = r"(?:(?:each|every) (?:one|person)|each(?: of (?:them|us))?|every(?:one|body))"
+_GETS = r"(?:gets?|has|have|needs?|wants?|should have|must have|will have)"
+_STANDS = (r"(?:(?:esta |queda |va )?(?:frente|enfrente|cerca|lejos|junto|al (?:lado|fondo|norte|sur|este|oeste))\b)")
 _TOGETHER = {"zweit": 2, "dritt": 3, "viert": 4, "funft": 5, "sechst": 6}
 
 
@@ -48,6 +51,43 @@ _SAID = rules((
     (r"\b(?:i live|vivo|j'habite|je vis|ich (?:wohne|lebe))(?: juntos| zusammen| together)? (?:with|con|avec|mit) "
      r"(?:my|mi|mis|ma|mon|mes|meine[rmn]?)(?: (?P<n>{several}|dos|tres|deux|trois|zwei|drei))? [a-z]+(?: in law)?"
      r"(?: and|,? y|,? et|,? und)?[.;,:]? ?(?:and |y |et |und )?{each} {wants} {own}{bedroom}\b{with_}", _each_of_us),
+    # "a flat for four students? Each one gets a bedroom", "two brothers and their father. Everybody has his own"
+    (r"\bfor (?P<n>{several}) (?:[a-z-]+ )?{grown}[?.;:,]+ ?(?:and )?{every} {gets} {own}bed ?room\b",
+     r"with \g<n> bedrooms"),
+    (r"\b(?:we are )?(?P<n>two|three|[23]) (?:[a-z-]+ ){0,2}{grown} and (?:their|our) {elder}"
+     r"(?: (?:live|share a (?:flat|home))(?: here)?(?: together)?)?[.;,:] ?(?:and )?{every} {gets} {own}bed ?room\b",
+     lambda found: f"a flat with {int(numbers().get(found['n'], found['n'])) + 1} bedrooms"),
+    # "The study opens off the living room, everything else as usual"
+    (r"[,;.]? ?(?:and |with )?(?:everything else|all else|all the rest|the rest|otherwise)(?: is| stays| being| can be"
+     r"| should be)?(?: just)? (?:(?:as )?(?:usual|normal|standard)|the usual|as always){end}", ""),
+    # "My grandmother lives with us, so her bedroom has to be near the entrance"
+    (r"\b(?P<who>(?:my|our) {elder}) lives with us[,;.]? (?:so |and |hence |therefore )?(?:her|his) "
+     r"(?=(?:bed ?)?room\b.*\bour (?:own )?bed ?room\b)", r"\g<who>'s "),
+    # "the baby sleeps in ours", "das Zimmer für meine Tochter"
+    (r"\b(sleeps?|sleeping|stays?) in (?:ours|our (?:own )?(?:bed ?)?room)\b", r"\1 with us"),
+    (r"(?P<us>\b(?:couple|wife|husband|partner|me|i|two of us)\b),? (?:and|with) (?:an?|the|our) "
+     r"(?:new |little |small )?(?:baby|newborn|infant)(?: girl| boy)?,? (?:who|that|which) "
+     r"(?:still |will |can )?(?:sleeps?|stays?) with us"
+     r"(?: in [a-z ]{2,12}bed ?room)?\b", r"\g<us>"),
+    (r"\bzimmer (?:fur|von) (?:mein|unser|d)(?:en|em|er|ie|e) (?:kleinen? |grossen? |jungere[nr]? |altere[nr]? )?"
+     r"(?:tochter|sohn|baby)\b", "kinderzimmer"),
+    # "everything except a balcony: living room, …"
+    (r"(^|[.;] ?)(?:(?:i|we) (?:want|need|would like) )?everything (?:except|but|apart from|other than)(?: for)? "
+     r"(?:an? |the )?({kind})(?= ?[:;,.])", r"\1no \2"),
+    # "make it 4 bedrooms. no wait, 3 is enough"
+    (r"\b{number} (bed|bath)( ?)rooms?[.,;!]* (?:(?:no|wait|actually|sorry|hmm|well|on second thoughts?)[, ]+)+"
+     r"({number}) (?:is|are|will be|would be) (?:enough|fine|plenty|ok|okay)\b", r"\3 \1\2rooms"),
+    # "je veux que la cuisine soit … et que la chambre donne au nord"
+    (r",? et que (?=(?:la |le |l'|les ){fr})", ". "),
+    (r",? y que (?=(?:el|la|los|las) {es})", ". "),
+    (r"(?P<a>\b(?:el|la) {es} {stands}[^.;,]*?), (?=(?:el|la) {es} {stands})", r"\g<a>. "),
+    # "一室一厅，45平米左右", "不要三个卧室，两个就够了", "客厅是最大的房间"
+    (r"(?<!约)(?<!大概)(\d+(?:\.\d+)?) ?(?:平方米|平米|平|㎡|m2)(?:左右|上下)", r"约\1平米"),
+    (r"([一二两三四五\d]室[一二两\d]厅),(?=约?\d+(?:\.\d+)?平米)", r"\1,面积"),
+    (r"(?:不要|不用|不需要)[一两二三四五\d]([个间])(卧室|房间|卫生间|阳台),?(?:只要|要)?([一两二三四\d])[个间](?:就够了?|就行了?|"
+     r"就可以了?|够了|就好)", r"\3\1\2"),
+    (r"([^,.;:的]{1,6}?)(?:要|应该|必须)?是(?:家里|家中|全家|整个房子)?(?:面积)?最(大|小)的(?:房间|一间|一个房间|屋子)",
+     r"\1最\2"),
     # "la cuisine doit être ouverte sur le séjour et faire au moins 12 m2"
     (r"(?P<s>\b(?:la |le |l'|les ){fr}) (?P<p>(?:doit|devra|doivent) [^.;,]*?) et (?:faire|mesurer|avoir) "
      r"(?=[a-z ]{0,14}\d)", r"\g<s> \g<p>. \g<s> doit faire "),
@@ -175,7 +215,8 @@ _SAID = rules((
     (r"\b(one|1) (?:big|large|wide|king(?:[ -]size)?|queen(?:[ -]size)?) bed\b(?! ?rooms?)", r"\1 double bed"),
     (r"(\bbeds?,?(?: and| with|,) )(an?|one|two|2) (?:small|little|bedside) tables?\b",
      lambda found: f"{found[1]}{found[2]} nightstand{'s' if found[2] in ('two', '2') else ''}"),
-), each=_ONE_EACH, wants=_WANTS, own=_OWN, with_=_WITH, door=_ES_DOOR)  # fmt: skip
+), each=_ONE_EACH, wants=_WANTS, own=_OWN, with_=_WITH, door=_ES_DOOR, every=_EVERYBODY, gets=_GETS, elder=ELDER,
+    stands=_STANDS)  # fmt: skip
 
 
 def simply(text: str) -> str:

@@ -79,8 +79,8 @@ def test_mirrored_rooms_have_left_and_right_exchanged() -> None:
 
 @pytest.mark.parametrize("axis, expected", [(0, [1.0, 0.7, 1.3, 1.7, 0.3]), (1, [5.0, 4.0, 6.0, 6.4, 3.6])])
 def test_five_ways_to_be_aligned_with_something(axis: int, expected: list[float]) -> None:
-    """Something .4 m long, with what reaches .5 m from 1.0 ahead and 1.2 m from 5.0 to the left: middles, low edges, high
-    edges, at its high edge, at its low edge."""
+    """Something .4 m long, with what reaches .5 m from 1.0 ahead and 1.2 m from 5.0 to the left: middles, low edges,
+    high edges, at its high edge, at its low edge."""
     token = np.array([[1.0, 5.0, 0.0, 0.5, 1.2, 0.0, 0.0, 0.0, 0.0]])
     found = describe.aligned(token, np.array(axis), np.array(0.2))
     assert found[0] == pytest.approx(expected)

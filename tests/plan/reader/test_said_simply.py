@@ -102,6 +102,34 @@ LEARNT = [
     ("quatre chambres dont une suite parentale avec salle de bain, une autre salle de bain", "B4 H K L W2", "B1W1, "
                                                                                                             "H1W2"),
 ]
+EVERYBODY = [
+    ("A flat for four students? Each one gets a bedroom and there are two bathrooms off the corridor.", "B4 H K L W2",
+     "H1W1, H1W2"),
+    ("Two grown-up brothers and their father live together. Everybody has his own bedroom.", "B3 H K L W2", ""),
+    ("Three sisters and their mother share a flat; each of them has her own bedroom.", "B4 H K L W2", ""),
+    ("My grandmother lives with us, so her bedroom has to be near the entrance. There is our bedroom and one for our "
+     "son.", "B3 H K L W2", "near B2 entrance"),
+    ("We are a couple with a baby who sleeps in ours.", "B H K L W", "!unread sleeps"),
+    ("My husband and I and the baby, who sleeps in our room, need a study.", "B H K L S W", ""),
+    ("Wohnung mit drei Schlafzimmern. Das Zimmer für meine Tochter neben unserem Schlafzimmer.", "B3 H K L W2",
+     "adjacent B3 B1"),
+]
+THE_REST = [
+    ("Two-bedroom flat with a study. The study opens off the living room, everything else as usual.", "B2 H K L S W",
+     "L1S1, B1H1, H1K1, H1W1, !H1S1"),
+    ("Everything except a balcony: living room, kitchen, two bedrooms, bathroom, hallway.", "B2 H K L W", ""),
+    ("Everything except the kitchen faces south. Two bedrooms.", "B2 H K L W",
+     "orientation L1 south, !orientation K1 south"),
+    ("make it 4 bedrooms. no wait, 3 is enough. 2 baths", "B3 H K L W2", ""),
+    ("Three bedrooms. 2 is fine as it is, 3 faces south.", "B3 H K L W2", "orientation B3 south"),
+    ("Je veux que la cuisine soit plus petite que le salon et que la chambre donne au nord.", "B H K L W",
+     "orientation B1 north, !orientation L1 north"),
+    ("Dos dormitorios y un baño. El baño frente al dormitorio principal, la cocina cerca de la entrada.", "B2 H K L W",
+     "opposite W1 B1, near K1 entrance, !opposite W1 K1"),
+    ("一室一厅，45平米左右，开放式厨房", "B H K L W", "all=45, K1~L1"),
+    ("不要三个卧室，两个就够了，阳台连着主卧。", "B2 H K L W Y", "B1Y1"),
+    ("三室两厅一卫，客厅是最大的房间。", "B3 D H K L W", "order L1 largest"),
+]
 
 test_every_home_is_furnished = as_meant(FURNISHED)
 test_what_is_said_of_the_last_of_two = as_meant(LAST_OF_TWO)
@@ -111,3 +139,5 @@ test_as_people_type = as_meant(TYPED)
 test_corners = as_meant(CORNERS)
 test_rooms_with_two_uses = as_meant(USES)
 test_english_of_learners = as_meant(LEARNT)
+test_a_room_for_everybody = as_meant(EVERYBODY)
+test_what_is_said_of_the_rest = as_meant(THE_REST)
