@@ -36,8 +36,8 @@ def test_an_open_wardrobe_looks_other_than_a_closed_one_and_both_fill_their_pict
 
 
 def test_things_are_seen_a_little_from_above():
-    """Seen from afar, 28° above the horizon and 32° aside, the top of a cube takes sin 28° of sin 28° + cos 28° (sin 32°
-    + cos 32°), .28 of what is seen of it; from near by, somewhat less."""
+    """Seen from afar, 28° above the horizon and 32° aside, the top of a cube takes sin 28° of sin 28° + cos 28° (sin
+    32° + cos 32°), .28 of what is seen of it; from near by, somewhat less."""
     top, rest = Material("top", (0.9, 0.05, 0.05, 1.0)), Material("rest", (0.05, 0.05, 0.9, 1.0))
     upper = np.isin(FACES, [1, 3, 5, 7]).all(1)
     meshes = [Mesh(CORNERS, FACES[upper], top, None), Mesh(CORNERS, FACES[~upper], rest, None)]
