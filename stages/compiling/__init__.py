@@ -6,12 +6,29 @@ of its own file or compiled ones, and whoever changes what stands here clears th
 
 import logging
 import multiprocessing
+import sys
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any, TypeVar, cast
 
 from numba import njit
 from numba.core import event
 
+_BLAS = "scipy.linalg.cython_blas"
+
+
+def _without_blas() -> None:
+    """What numba looks for SciPy's linear algebra for when it begins, .2 s of every command, is np.correlate, which no
+    compiled function has; products of matrices would look for it anew."""
+    if _BLAS not in sys.modules:
+        sys.modules[_BLAS] = None  # type: ignore[assignment]
+        try:
+            import_module("numba.np.arraymath")
+        finally:
+            del sys.modules[_BLAS]
+
+
+_without_blas()
 F = TypeVar("F", bound=Callable[..., Any])
 NUMPY: dict[str, Any] = {"error_model": "numpy"}
 log = logging.getLogger("apartgen")
