@@ -18,6 +18,7 @@ from apartgen.stages.plan.reader.inverted import inverted
 from apartgen.stages.plan.reader.itemized import itemized
 from apartgen.stages.plan.reader.learners import as_learnt
 from apartgen.stages.plan.reader.likewise import likewise
+from apartgen.stages.plan.reader.lives import lived
 from apartgen.stages.plan.reader.loosely import told_apart
 from apartgen.stages.plan.reader.meant_of import meant_of
 from apartgen.stages.plan.reader.named_again import named_again
@@ -39,7 +40,7 @@ from apartgen.stages.plan.reader.ways import in_passing
 
 def in_known_words(prompt: str) -> str:
     """A prompt folded, with its clauses in such words."""
-    told = every_day(at_home(everywhere(for_whom_said(simply(as_typed(without_false_friends(fold(prompt))))))))
+    told = every_day(at_home(everywhere(for_whom_said(simply(lived(as_typed(without_false_friends(fold(prompt)))))))))
     told = beside_entrance(in_characters(in_one_room(told)))
     told = unparted(named_again(told_apart(instead_of(shared_by_others(told)))))
     told = inverted(advertised(itemized(only_ways(meant_of(told)))))

@@ -1,0 +1,64 @@
+"""What people tell of how they live, and whose rooms follow from it; slips; a truly plain manner of speaking."""
+
+from sentences.facts import as_meant
+
+WHOSE = [
+    ("I look after my father, who uses a walker. His room needs at least 16 m2, my own room can be small.", "B2 H K L W",
+     "at_least B2 16"),
+    ("My mum is moving in, so her room should be next to the bathroom. Then one room for my husband and me, and one for "
+     "our teenager. One bathroom.", "B3 H K L W", "adjacent B3 W1"),
+    ("My father paints. Two bedrooms, his room faces north.", "B2 H K L W", ""),
+    ("My client has the big bedroom with a bathroom of her own, I have the small bedroom and use the other bathroom off "
+     "the hall.", "B2 H K L W2", "H1W2"),
+    ("The big bedroom faces south, two bedrooms in all, and the small bedroom faces north.", "B2 H K L W", ""),
+    ("My two girls are with me every other week, so there is my bedroom and one that they share, with two single beds. "
+     "One bathroom.", "B2 H K L W", "B2 has 2 single_bed"),
+    ("We have four kids: the twins share, the other two each get their own room. Two bathrooms off the hall.",
+     "B4 H K L W2", ""),
+    ("Three of us rent together and need no living room. None of the bedrooms under 10 m2. One bathroom.", "B3 H K W",
+     "at_least B1 10, at_least B3 10"),
+    ("Five of us share a place, four bedrooms.", "B4 H K L W2", ""),
+    ("A flat for three students, each bedroom at least 10 m2, one bathroom", "B3 H K L W", "at_least B3 10"),
+    ("We have three childs and they sleeps all in the same room. My wife and me in other room. Bathroom one is enough.",
+     "B2 H K L W", ""),
+    ("Somos dos parejas que compartimos piso: cada pareja con su dormitorio y su baño dentro, y un aseo.", "B2 H K L W3",
+     "B1W1, B2W2"),
+]
+NOT_WANTED = [
+    ("Four bedrooms, one bathroom, a dining table in the kitchen because we won't have a dining room.", "B4 H K L W",
+     "K1 has 1 dining_table"),
+    ("Could I have the desk in the bedroom? There's no space for a proper office. One bedroom.", "B H K L W",
+     "B1 has 1 desk"),
+    ("I was going to ask for a dining room, but we'd rather eat in the kitchen, so a round table and four chairs there. "
+     "Two bedrooms.", "B2 H K L W", "K1 has 4 chair"),
+    ("Our bedroom and a guest room with a desk. The rest of the month I use that room as my office.", "B2 H K L W", ""),
+    ("Our washing machine stands in the kitchen today. Please move it to a laundry room. Two bedrooms.", "B2 H K L U W",
+     "U1 has 1 washing_machine, !K1 has 1 washing_machine"),
+    ("I wanted the balcony in the front but now I prefer it in the back. Two bedrooms.", "B2 H K L W Y",
+     "position Y1 back, !position Y1 front"),
+    ("Zwei Schlafzimmer, eine offene Küche möchte ich nicht.", "B2 H K L W", "H1K1, !K1~L1"),
+    ("次卧兼作书房，两室一厅，次卧放一张书桌。", "B2 H K L W", "B2 has 1 desk"),
+]
+LIMITS = [
+    ("Three bedrooms, one bathroom, no bedroom above 14 m².", "B3 H K L W", "at_most B1 14, at_most B3 14"),
+    ("Two bedrooms, no bedrooms smaller than 9 m2", "B2 H K L W", "at_least B1 9, at_least B2 9"),
+    ('{"bedrooms": 2, "bathrooms": 1, "max_total_area_m2": 85}', "B2 H K L W", "at_most home 85"),
+    ("rooms: bedroom, kitchen, living room, bathroom, hallway; kitchen max area: 9 m2", "B H K L W",
+     "at_most K1 9, !at_most home 9"),
+    ("One bedroom, one study, all together not more big than 65 square meters.", "B H K L S W", "at_most home 65"),
+    ("living room 20 m2, kitchen 8 m2, bedroom: 1, 12 m2, bathroom: 1, 4.5 m2", "B H K L W", "B1=12, W1=4.5"),
+    ("El salón tiene que ser la habitación más grande. Dos dormitorios.", "B2 H K L W", "order L1 largest"),
+]
+SLIPS = [
+    ("4 bedrroms, 2 bahtrooms, kitchen opne to the livign room", "B4 H K L W2", "K1~L1"),
+    ("one bedrom appartment wiht a stroage room oposite the kithcen", "B H K L T W", "opposite T1 K1"),
+    ("two bedrooms, the mian bedroom shoud be the largst room", "B2 H K L W", "order B1 largest"),
+    ("two bedrooms. main bedroom faces south", "B2 H K L W", "orientation B1 south"),
+    ("Deux chambres, un bureau où l'on entre par le séjour", "B2 H K L S W", "L1S1, !H1S1"),
+    ("两个卧室，两个卫生间的门都开在走廊上。", "B2 H K L W2", "H1W1, H1W2"),
+]
+
+test_whose_rooms = as_meant(WHOSE)
+test_what_is_not_wanted = as_meant(NOT_WANTED)
+test_limits = as_meant(LIMITS)
+test_slips = as_meant(SLIPS)
