@@ -18,10 +18,11 @@ _HIS = late(rf"\b(?:my|our|an?) (?:(?:elderly|old|disabled|sick) )?(?P<who>{_KIN
             r"(?P<his>his|her) (?:own )?(?:bed ?)?room\b")  # fmt: skip
 _COUNTED = re.compile(r"\b(?:one|two|three|four|five|\d)[ -](?:[a-z]+ )?bed ?rooms?\b")
 _LARGE, _SMALL = (late(rf"\bthe (?:{words}) bed ?room\b") for words in ("big|bigger|large|larger", "small|smaller"))
+_SHARERS = late(r"\b(?:for |with )?(two|three|four|five|six|[2-6]) (?:[a-z-]+ )?(?:(?:flat|house|room)mates|friends|"
+                r"students|colleagues|tenants|adults|lodgers|nurses|trainees)\b")  # fmt: skip
+_EACH = re.compile(r"\b(?:each|every|all)(?: of)?(?: the)? bed ?rooms?\b")
 _ROOMS_OF = "(?:bed ?room|room|bath ?room)"
-_SCHWIEGER = r"(?:schwieger|gross)?(?:mutter|vater)|oma|opa|eltern|schwiegereltern"
-_DE_HIS = late(rf"\bmeine[nr]? (?:{_SCHWIEGER})\b[^.]*\. ?ihr zimmer\b")
-_GIVEN_UP = r"(?:won't|will not|don't|do not|shan't) (?:have|want|need|be having)"
+_GIVEN_UP = r"(?:won't|will not|shan't|are not going to|aren't going to) (?:have|want|need|be having)"
 _MOVED = r"(?:(?:washing machine|dryer|desk|piano|freezer|fridge|dishwasher|wardrobe))"
 
 
@@ -43,11 +44,6 @@ def _two_sizes(text: str) -> str:
     return f"two bedrooms. {text}"
 
 
-_SHARERS = late(r"\b(?:for |with )?(two|three|four|five|six|[2-6]) (?:[a-z-]+ )?(?:(?:flat|house|room)mates|friends|students|"
-                r"colleagues|tenants|adults|lodgers|nurses|trainees)\b")  # fmt: skip
-_EACH = re.compile(r"\b(?:each|every|all)(?: of)?(?: the)? bed ?rooms?\b")
-
-
 def _each_of_many(text: str) -> str:
     """`a flat for three students, each bedroom at least 10 m²`: three bedrooms, where none are counted."""
     found = _SHARERS.search(text)
@@ -56,74 +52,71 @@ def _each_of_many(text: str) -> str:
     return f"{text[: found.start()]}with {found[1]} bedrooms{text[found.end() :]}"
 
 
-def _ihr(text: str) -> str:
-    """`Ich pflege meine Mutter. Ihr Zimmer …, das Schlafzimmer von meinem Mann und mir neben ihrem`."""
-    found = _DE_HIS.search(text)
-    if found is None:
-        return text
-    end = found.end() - len("ihr zimmer")
-    after = re.sub(r"\bihr(?:em)? zimmer\b|\bihrem\b", "the grandmother's bedroom", text[end:])
-    after = re.sub(r"\bdas (?:schlaf)?zimmer von (?:meinem|meiner) (?:mann|frau) und mir\b", "unser schlafzimmer", after)
-    return text[:end] + after
-
-
 _SAID = rules((
-    # "we won't have a dining room", "there is no space for a proper office", "I was going to ask for a dining room, but"
+    # "we won't have a dining room", "there is no space for a proper office", "I was going to ask for a dining room,
+    # but"
     (r",? ?(?:(?:because|since|as) )?\b(?:we|i|they) {given_up} (?:an? |any )(?:proper |separate |real )?({kind}){end}",
      r", no \1"),
-    (r"\bthere(?:'s| is) no (?:space|room|need|place) for an? (?:(?:proper|separate|real|extra) )?({kind})\b", r"no \1"),
+    (r"\bthere(?:'s| is) no (?:space|room|need|place) for an? (?:(?:proper|separate|real|extra) )?({kind})\b",
+     r"no \1"),
     (r"\b(?:i|we) (?:was|were) (?:going|about|planning) to (?:ask for|have|want|request|include|get) (?:an? |the )?"
      r"({kind}),? but (?:now )?", r"no \1, "),
     (r"\b(?:we'd rather |we would rather |i'd rather |we |i )?eat in the (kitchen|living room),? (?:so|with|hence) "
      r"((?:an? |one |two |four |six ).*?) there{end}", r"\2 in the \1"),
     # "no bedroom above 14 m²"
-    (r"\b(?:no|none of the) ({rooms_of})s? (?:is |are |may be |should be )?(?:above|over|(?:larger|bigger|more) than|of more "
-     r"than|exceeding) ({amount} ?{unit})", r"each \1 at most \2"),
-    (r"\b(?:no|none of the) ({rooms_of})s? (?:is |are |may be |should be )?(?:below|under|(?:smaller|less) than|of less than"
-     r") ({amount} ?{unit})", r"each \1 at least \2"),
+    (r"\b(?:no|none of the) ({rooms_of})s? (?:is |are |may be |should be )?(?:above|over|(?:larger|bigger|more) than|"
+     r"of more than|exceeding) ({amount} ?{unit})", r"each \1 at most \2"),
+    (r"\b(?:no|none of the) ({rooms_of})s? (?:is |are |may be |should be )?(?:below|under|(?:smaller|less) than|of "
+     r"less than) ({amount} ?{unit})", r"each \1 at least \2"),
     # "Three of us share a flat", "four kids: the twins share", "one that they share, with two single beds"
     (r"\b({several}) of us (?:want to |will |are )?(?:rent|renting|live|living|share|sharing)\b(?: (?:a|the|this|one) "
-     r"(?:flat|apartment|house|place|home))?(?: together)?(?!.*\b{number} (?:[a-z]+ )?(?:bed ?)?rooms\b)(?P<and>,? (?:and|so) (?=we ))?",
+     r"(?:flat|apartment|house|place|home))?(?: together)?(?!.*\b{number} (?:[a-z]+ )?(?:bed ?)?rooms\b)(?P<and>,? "
+     r"(?:and|so) (?=we ))?",
      lambda found: f"{found[1]} flatmates{'. ' if found['and'] else ''}"),
     (r"\b((?:three|four|five|[345]) (?:kids|children))([:,;.] ?| - |,? of whom )the twins share\b",
      r"\1\2two of them share"),
-    (r"({young}[^;]*?)\b(?:one|a (?:bed ?)?room) (?:that |which )?they (?:both |all )?share(?:,(?= with)|(?= with)|{end})",
+    (r"({young}[^;]*?)\b(?:one|a (?:bed ?)?room) (?:that |which )?they (?:both |all )?share(?:,(?= with)|(?= with)|"
+     r"{end})",
      r"\1a kids bedroom"),
     # "the rest of the month I use that room as my office"
     (r",? ?(?:and |but )?(?:(?:the rest of the (?:month|week|year|time)|otherwise|else),? )?(?:i|we) (?:also )?use "
      r"(?:that|this|the same|it)(?: room)? as (?:my|our|an?) (?:home )?(?:office|study|workroom|studio){end}", ""),
     # "it stands in the kitchen today; please move it to a laundry room"
-    (r"\b(?:our|my|the) ({moved}) (?:stands|is) in the {kind} (?:today|now|at the moment|currently)[^.;]*[.;] ?(?:please )?"
-     r"(?:move|put) it (?:to|into|in) (an?|the) ({kind}|laundry room|utility room)", r"\2 \3 with a \1"),
-    # "please not any door from the lounge", "not more big than 65 m²", "I wanted it in the front but now prefer the back"
+    (r"\b(?:our|my|the) ({moved}) (?:stands|is) in the {kind} (?:today|now|at the moment|currently)[^.;]*[.;] "
+     r"?(?:please )?(?:move|put) it (?:to|into|in) (an?|the) ({kind}|laundry room|utility room)", r"\2 \3 with a \1"),
+    # "please not any door from the lounge", "not more big than 65 m²", "I wanted it in the front but now prefer the
+    # back"
     (r"\bnot any (?=doors?\b|windows?\b|balcony\b)", "no "),
     (r"\b(?:is |must be |should be )?(?:not|no) more (?:big|large) than (?=\d)", "at most "),
     (r"\bmore (big|large|small) than\b",
      lambda found: {"big": "bigger", "large": "larger", "small": "smaller"}[found[1]] + " than"),
-    (r"\b(?:at first |first )?(?:i|we) wanted (an?|the) ({kind}) (?:in|at|on) the [a-z]+,? but (?:now )?(?:i|we) (?:prefer|"
-     r"want|would like)(?: to have)? it (?:in|at|on) the (front|back|left|right|north|south|east|west)\b",
+    (r"\b(?:at first |first )?(?:i|we) wanted (an?|the) ({kind}) (?:in|at|on) the [a-z]+,? but (?:now )?(?:i|we) "
+     r"(?:prefer|want|would like)(?: to have)? it (?:in|at|on) the (front|back|left|right|north|south|east|west)\b",
      r"\1 \2 in the \3"),
-    (r"\b(?:we have )?(?P<n>two|three|four|[234]) (?:{young}|childs) (?:and |who )?(?:they )?(?:all )?(?:sleeps?|share)"
-     r"(?: all)?(?: together)? in (?:the same|one) (?:bed ?)?room(?:, so (?:this|that|it|the) ?(?:room)? (?:must|should|"
-     r"needs to|has to) (?:have|be))?", "the children's bedroom"),
+    (r"\b(?:we have )?(?P<n>two|three|four|[234]) (?:{young}|childs) (?:and |who )?(?:they )?(?:all )?(?:sleeps?|"
+     r"share)(?: all)?(?: together)? in (?:the same|one) (?:bed ?)?room(?:, so (?:this|that|it|the) ?(?:room)? "
+     r"(?:must|should|needs to|has to) (?:have|be))?", "the children's bedroom"),
     (r"\b(?:my (?:wife|husband|partner) and (?:me|i)|we|us) (?:sleep |are )?in (?:the |an)?other (?:bed ?)?room{end}",
      "a bedroom for us"),
     # "two bedrooms. main bedroom faces south"
     (r"([.;,] ?)((?:main|master) bed ?room (?:is|are|faces|has|should|must|needs|gets|opens|lies)\b)", r"\1the \2"),
     # "max total area m2: 85", "bathroom: 1, 4.5 m2"
-    (r"(?:(?<=[{,;(.] )|(?<=\")|^)max(?:imum)? (?:total )?area(?: ?\(?(?:m2|sqm)\)?)?\"? ?: ?\"?({amount})(?: ?{unit})?", r"at most \1 m2 in total"),
+    (r"(?:(?<=[{,;(.] )|(?<=\")|^)max(?:imum)? (?:total )?area(?: ?\(?(?:m2|sqm)\)?)?\"? ?: ?\"?({amount})(?: "
+     r"?{unit})?", r"at most \1 m2 in total"),
     (r"\b((?:bath|bed) ?room|kitchen|living room|study) ?: ?1, ?(?={amount} ?{unit})", r"\1: "),
     # "eine offene Küche möchte ich nicht", "ins erste kommen ein Bett und …, ins zweite ein Schreibtisch"
     (r"\b(eine?n? [a-z ]{3,30}?) (?:mochte|will|brauche|wollen|mochten|brauchen) (?:ich|wir) nicht\b", r"k\1"),
-    (r"\bins (erste|zweite|dritte)(?: schlafzimmer)?(?: kommen| kommt| sollen| soll| gehoren| gehort)? (?=ein|zwei|das)",
+    (r"\bins (erste|zweite|dritte)(?: schlafzimmer)?(?: kommen| kommt| sollen| soll| gehoren| gehort)? (?=ein|zwei|"
+     r"das)",
      r"im \1n "),
-    # "un bureau où l'on entre par le séjour", "accessible à la fois de la chambre et du couloir", "c'est pour mes parents"
+    # "un bureau où l'on entre par le séjour", "accessible à la fois de la chambre et du couloir", "c'est pour mes
+    # parents"
     (r",? ?ou (?:l')?on entre (par|depuis) ", r" accessible \1 "),
     (r"\b(accessibles?|donnant) a la fois (?=de|du|depuis|sur)", r"\1 "),
     (r"^c'est pour (?:mes|nos|des) [a-z]+(?: ages)? ?: ?", ""),
     # "cada pareja con su dormitorio y su baño dentro", "tiene que ser la habitación más grande"
-    (r"\b(?:somos )?(dos|tres) parejas\b[^:;.]*[:;.,] ?(?:y )?cada (?:pareja|una) con su dormitorio y su bano(?: dentro| "
-     r"propio| privado)?", r"\1 dormitorios, cada uno con su bano propio"),
+    (r"\b(?:somos )?(dos|tres) parejas\b[^:;.]*[:;.,] ?(?:y )?cada (?:pareja|una) con su dormitorio y su bano(?: "
+     r"dentro| propio| privado)?", r"\1 dormitorios, cada uno con su bano propio"),
     (r"\b(?:tiene que|debe|ha de|deberia) ser (?=la (?:habitacion|estancia|pieza) mas)", "es "),
     # "卫生间的门都开在走廊上", "次卧兼作书房"
     (r"((?:卫生间|浴室|卧室))的门(?:都|全)(?:要|应该)?(?:开在|开向|通向|朝)走廊(?:上|里)?", r"\1都从走廊进"),
@@ -134,4 +127,4 @@ _SAID = rules((
 def lived(text: str) -> str:
     """A folded text with such clauses in plain words."""
     text = _SLIP.sub(lambda found: _SLIPS[found.group()], text)
-    return _each_of_many(reworded(_two_sizes(_ihr(_whose(text))), _SAID))
+    return _each_of_many(reworded(_two_sizes(_whose(text)), _SAID))

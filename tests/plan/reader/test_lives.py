@@ -3,13 +3,14 @@
 from sentences.facts import as_meant
 
 WHOSE = [
-    ("I look after my father, who uses a walker. His room needs at least 16 m2, my own room can be small.", "B2 H K L W",
+    ("I look after my father, who uses a walker. His room needs at least 16 m2, my own room can be small.",
+     "B2 H K L W",
      "at_least B2 16"),
-    ("My mum is moving in, so her room should be next to the bathroom. Then one room for my husband and me, and one for "
-     "our teenager. One bathroom.", "B3 H K L W", "adjacent B3 W1"),
+    ("My mum is moving in, so her room should be next to the bathroom. Then one room for my husband and me, and one "
+     "for our teenager. One bathroom.", "B3 H K L W", "adjacent B3 W1"),
     ("My father paints. Two bedrooms, his room faces north.", "B2 H K L W", ""),
-    ("My client has the big bedroom with a bathroom of her own, I have the small bedroom and use the other bathroom off "
-     "the hall.", "B2 H K L W2", "H1W2"),
+    ("My client has the big bedroom with a bathroom of her own, I have the small bedroom and use the other bathroom "
+     "off the hall.", "B2 H K L W2", "H1W2"),
     ("The big bedroom faces south, two bedrooms in all, and the small bedroom faces north.", "B2 H K L W", ""),
     ("My two girls are with me every other week, so there is my bedroom and one that they share, with two single beds. "
      "One bathroom.", "B2 H K L W", "B2 has 2 single_bed"),
@@ -21,7 +22,8 @@ WHOSE = [
     ("A flat for three students, each bedroom at least 10 m2, one bathroom", "B3 H K L W", "at_least B3 10"),
     ("We have three childs and they sleeps all in the same room. My wife and me in other room. Bathroom one is enough.",
      "B2 H K L W", ""),
-    ("Somos dos parejas que compartimos piso: cada pareja con su dormitorio y su baño dentro, y un aseo.", "B2 H K L W3",
+    ("Somos dos parejas que compartimos piso: cada pareja con su dormitorio y su baño dentro, y un aseo.",
+     "B2 H K L W3",
      "B1W1, B2W2"),
 ]
 NOT_WANTED = [
@@ -29,8 +31,8 @@ NOT_WANTED = [
      "K1 has 1 dining_table"),
     ("Could I have the desk in the bedroom? There's no space for a proper office. One bedroom.", "B H K L W",
      "B1 has 1 desk"),
-    ("I was going to ask for a dining room, but we'd rather eat in the kitchen, so a round table and four chairs there. "
-     "Two bedrooms.", "B2 H K L W", "K1 has 4 chair"),
+    ("I was going to ask for a dining room, but we'd rather eat in the kitchen, so a round table and four chairs "
+     "there. Two bedrooms.", "B2 H K L W", "K1 has 4 chair"),
     ("Our bedroom and a guest room with a desk. The rest of the month I use that room as my office.", "B2 H K L W", ""),
     ("Our washing machine stands in the kitchen today. Please move it to a laundry room. Two bedrooms.", "B2 H K L U W",
      "U1 has 1 washing_machine, !K1 has 1 washing_machine"),
