@@ -44,6 +44,11 @@ def _two_sizes(text: str) -> str:
     return f"two bedrooms. {text}"
 
 
+def _for_each(found: re.Match[str]) -> str:
+    """`a bedroom for me, one for her, one for him` as three."""
+    return f"{('two', 'three', 'four')[min(found[1].count(' for '), 3) - 1]} bedrooms"
+
+
 def _each_of_many(text: str) -> str:
     """`a flat for three students, each bedroom at least 10 m²`: three bedrooms, where none are counted."""
     found = _SHARERS.search(text)
@@ -100,6 +105,13 @@ _SAID = rules((
      "a bedroom for us"),
     # "two bedrooms. main bedroom faces south"
     (r"([.;,] ?)((?:main|master) bed ?room (?:is|are|faces|has|should|must|needs|gets|opens|lies)\b)", r"\1the \2"),
+    # "next to the bathroom, and the main bedroom should be the largest"
+    (r"(\b(?:next to|beside|near|opposite|off|close to|behind) the (?:{kind}|bath)), (?:and|but|while) (?=the {kind} "
+     r"(?:should|must|is|has|needs|faces|gets)\b)", r"\1. "),
+    # "a bedroom for me, one for her, one for him", "two little ones"
+    (r"\b(?:a|one) (?:bed ?)?room for (?:me|us)((?:(?:,| and|, and) (?:an?other|a|one)(?: one| (?:bed ?)?room)? for "
+     r"(?:her|him|them)\b)+)", _for_each),
+    (r"\b(two|three|four|the|our|my) little ones\b", r"\1 children"),
     # "max total area m2: 85", "bathroom: 1, 4.5 m2"
     (r"(?:(?<=[{,;(.] )|(?<=\")|^)max(?:imum)? (?:total )?area(?: ?\(?(?:m2|sqm)\)?)?\"? ?: ?\"?({amount})(?: "
      r"?{unit})?", r"at most \1 m2 in total"),
@@ -117,9 +129,12 @@ _SAID = rules((
     # "cada pareja con su dormitorio y su baño dentro", "tiene que ser la habitación más grande"
     (r"\b(?:somos )?(dos|tres) parejas\b[^:;.]*[:;.,] ?(?:y )?cada (?:pareja|una) con su dormitorio y su bano(?: "
      r"dentro| propio| privado)?", r"\1 dormitorios, cada uno con su bano propio"),
+    (r"\b(dos|tres|cuatro) dormitorios, (?:el|uno) (?=de mi (?:madre|padre|abuel[oa]|suegr[oa]|hij[oa]|herman[oa])\b)",
+     r"\1 dormitorios. el dormitorio "),
     (r"\b(?:tiene que|debe|ha de|deberia) ser (?=la (?:habitacion|estancia|pieza) mas)", "es "),
     # "卫生间的门都开在走廊上", "次卧兼作书房"
     (r"((?:卫生间|浴室|卧室))的门(?:都|全)(?:要|应该)?(?:开在|开向|通向|朝)走廊(?:上|里)?", r"\1都从走廊进"),
+    (r"(爸妈|父母|老人|爷爷奶奶|孩子)(?:的)?那[间个](?![房卧])", r"\1的卧室"),
     (r"(次卧|主卧|卧室)兼(?:作|做|当|用作)?(?:书房|办公室|客房),?", r"\1里"),
 ), given_up=_GIVEN_UP, rooms_of=_ROOMS_OF, moved=_MOVED)  # fmt: skip
 
