@@ -3,7 +3,7 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
-from apartgen.stages.plan.reader.pieces import ELDER, reworded, rules
+from apartgen.stages.plan.reader.pieces import CHILD, ELDER, reworded, rules
 
 _SLIPS = {
     "adn": "and", "nad": "and", "wiht": "with", "wtih": "with", "teh": "the", "opne": "open", "mian": "main",
@@ -20,9 +20,12 @@ _COUNTED = re.compile(r"\b(?:one|two|three|four|five|\d)[ -](?:[a-z]+ )?bed ?roo
 _LARGE, _SMALL = (late(rf"\bthe (?:{words}) bed ?room\b") for words in ("big|bigger|large|larger", "small|smaller"))
 _SHARERS = late(r"\b(?:for |with )?(two|three|four|five|six|[2-6]) (?:[a-z-]+ )?(?:(?:flat|house|room)mates|friends|"
                 r"students|colleagues|tenants|adults|lodgers|nurses|trainees)\b")  # fmt: skip
-_EACH = re.compile(r"\b(?:each|every|all)(?: of)?(?: the)? bed ?rooms?\b")
+_EACH = re.compile(r"\b(?:each|every|all)(?: of)?(?: the)? bed ?rooms?\b|\bthe bed ?rooms\b")
 _ROOMS_OF = "(?:bed ?room|room|bath ?room)"
 _GIVEN_UP = r"(?:won't|will not|shan't|are not going to|aren't going to) (?:have|want|need|be having)"
+_NACH = {"nord": "norden", "sud": "suden", "ost": "osten", "west": "westen"}
+_THING = (r"(?:desks?|piano|table|sofa|wardrobes?|beds?|cot|armchair|bookshel(?:f|ves)|bookcase|dresser|rug|television|"
+          r"tv)")  # fmt: skip
 _MOVED = r"(?:(?:washing machine|dryer|desk|piano|freezer|fridge|dishwasher|wardrobe))"
 
 
@@ -42,6 +45,12 @@ def _two_sizes(text: str) -> str:
     if _LARGE.search(text) is None or _SMALL.search(text) is None or _COUNTED.search(text):
         return text
     return f"two bedrooms. {text}"
+
+
+def _nothing_else(found: re.Match[str]) -> str:
+    """`…, that's it` behind rooms without which nobody lives is no word on the others."""
+    said = found.string[: found.start()]
+    return found.group() if re.search(r"\bkitchen", said) and re.search(r"\bbath|\bshower|\btoilet", said) else "."
 
 
 def _for_each(found: re.Match[str]) -> str:
@@ -105,6 +114,85 @@ _SAID = rules((
      "a bedroom for us"),
     # "two bedrooms. main bedroom faces south"
     (r"([.;,] ?)((?:main|master) bed ?room (?:is|are|faces|has|should|must|needs|gets|opens|lies)\b)", r"\1the \2"),
+    # "a small room for my assistant", "a place for me and my son", "we are four nurses on different shifts"
+    (r"\b(an?|one|the) ((?:small |large |big |little |quiet |second |third |extra |separate )?)room (?=for (?:my|our|"
+     r"an?|the) (?:live-in |visiting |elderly )?(?:assistant|carer|nurse|au pair|nanny|helper|housekeeper|lodger|maid|"
+     r"{elder}|{child}|brother|sister)\b)", r"\1 \2bedroom "),
+    (r"\b(?:for|of) (?:just )?(?:me|myself) and (?:my|our) (?=(?:son|daughter|boy|girl|kid|child|nephew|niece|brother|"
+     r"sister|{elder})\b)(?!.*\b{number}[ -](?:[a-z]+ )?(?:bed ?)?rooms?\b)([a-z]+)",
+     r"with a bedroom for me and a bedroom for my \1"),
+    (r"\bwe(?: are|'re) (?P<n>{several}) (?P<who>(?:young |old |male |female |medical |phd )?(?:{grown}|nurses|doctors|"
+     r"interns|trainees|musicians|artists|cousins|girls|guys)) (?:on|in|at|from|with|who) [^.;,]+?[,.;](?: so)?",
+     r"for \g<n> flatmates."),
+    # "my office is also the guest room", "the kids' rooms at opposite ends", "could the laundry be in the bathroom"
+    (r"\b(?:my|our|the) ((?:home )?office|study|workroom) (?:is|should be|must be|will be) also (?:be )?(?:the|our|"
+     r"an?) (?=guest (?:bed ?)?room)", r"a \1 also used as "),
+    (r"\b(?:so )?(?:please )?(?:put|place|keep|have) (?:their|the kids'?|the children's|the boys'|the girls'|the two) "
+     r"(?:bed ?)?rooms (?:at|on|in) (?:the )?opposite (?:ends|sides|corners)(?: of the (?:flat|house|home|apartment))?",
+     "the bedrooms are far from each other"),
+    (r"\b(?:could|can|should|may|might) (?:the|our|my) laundry (?:be|go|stand) in the (bath ?room|kitchen|"
+     r"hall(?:way)?)\b",
+     r"a washing machine in the \1"),
+    (r"\b(?:the )?(?:twins|two little ones|boys|girls) (?:will |can |should |are to )?share(?: an?| one)?(?: bed "
+     r"?room| room)?[,;]? (?:and |but |while )?the (?:older|younger|other|big|little|eldest|elder|oldest|youngest) "
+     r"(?:one|child|boy|girl|son|daughter) (?:will have|has|gets|needs|wants) (?:her|his|their|its|an?) own(?: bed "
+     r"?room| room)?(?!.*\bbed ?rooms\b)",
+     "two kids rooms and a parents' bedroom"),
+    # "I teach piano at home: the music room should be the first room when you come in"
+    (r"\b(?:i|she|he|we|they|who) (?:also )?(?:teach(?:es)?|plays?|practi[sc]es?|learns?) (?:the )?(?:piano|drums|"
+     r"violin|guitar|cello|trumpet)(?: (?:at home|a lot|every day|every evening|at night|in the evenings?))?(?: so|"
+     r"[:,;.])? ?", ""),
+    (r"\bthe first (?:room|door|one) (?:when|as|that) you (?:come in|enter|walk in|get in|see)\b", "near the entrance"),
+    (r"[,;.]? ?(?:and )?(?:that's|thats|that is) (?:it|all)(?: we need| i need)?[ .!]*$", _nothing_else),
+    # "between the kitchen and the living room, and both should be open to it"
+    (r"\bbetween (the {kind}) and (the {kind}),? and (?:both|the two)(?: of them)? (?:should be |are |must be )?open "
+     r"to it\b",
+     r"between \1 and \2 and is open to \1 and to \2"),
+    (r"\bwalk-in shower\b", "shower"),
+    # "the bedroom has room for a piano", "we both study", "my old flat had the bath off the kitchen, never again"
+    (r"\b(has|have|with|needs) (?:enough )?(?:room|space|a place|a spot) for (?=(?:an?|one|two|my|our) (?:[a-z]+ "
+     r"){0,2}{thing}\b)",
+     r"\1 "),
+    (r"\b(?:we|they|i) (?:both |all )?study(?= ?[.,;!]| at | a lot| from)", ""),
+    (r"\b(?:our|my) (?:last|old|present|current|previous) (?:flat|apartment|home|house|place) (?:had|has) (the "
+     r"{kind}) (?:off|next to|opening off|opening into|in) (the {kind}),? (?:and )?(?:never again|which (?:i|we) "
+     r"(?:hate|hated)|(?:i|we) hated? (?:it|that))", r"no door between \1 and \2"),
+    (r"\b(must not|should not|shouldn't|mustn't|can't|cannot) have (?:a |any )?windows? (?:to|on|onto|facing|towards) "
+     r"(?=the (?:street|road|garden|courtyard|{side})\b)", r"\1 face "),
+    # "five people: grandma, us two, and two boys who share"
+    (r"\b({elder}),? us two,? and (?:the |our )?two {young} (?:who|that) share\b",
+     r"a bedroom for \1, a bedroom for us and a "
+     r"kids bedroom"),
+    # "mit unserem Baby, das noch bei uns schläft", "unsere Kinder teilen sich ein Zimmer", "Sonst nichts Besonderes"
+    (r"\bwir sind (?:zu dritt|drei),? mit (?:unserem|dem|einem) baby, das (?:noch )?bei uns schlaft\b",
+     "wir sind ein paar"),
+    (r"\b(?:unsere|die|meine)(?: zwei| beiden)? (?:kinder|tochter|sohne|jungs|madchen)(?: sind [\d und,]+(?:jahre alt "
+     r")?)?(?: und)? teilen sich ein zimmer\b", "ein kinderzimmer und ein elternschlafzimmer"),
+    (r"[,;.]? ?(?:und )?(?:sonst|ansonsten) (?:nichts (?:besonderes|weiter besonderes)|wie ublich|alles wie "
+     r"ublich){end}", ""),
+    (r"\bein(?:en)? (?:zimmer|raum) (?=zum (?:malen|musizieren|nahen|arbeiten|basteln|schreiben)\b)",
+     "ein arbeitszimmer "),
+    (r"\bmit (nord|sud|ost|west)licht\b", lambda found: f"nach {_NACH[found[1]]}"),
+    (r"\b(?:meine|unsere) (?:schwieger|gross)?mutter [^.]*?,? ihr zimmer (?:also |bitte |soll )?(nah am|neben dem|"
+     r"beim) bad\. ?(?:dazu |ausserdem |und )?unser schlafzimmer und (?:das|eins) (?:von meinem|fur meinen|meines) "
+     r"sohne?s?\b",
+     "drei schlafzimmer. das dritte schlafzimmer neben dem bad"),
+    # "on est trois colocataires", "pas besoin de salon", "un studio avec un bureau", "sa chambre …, la nôtre et
+    # celle de"
+    (r"\b(?:on est|nous sommes) (?=(?:deux|trois|quatre|cinq) (?:colocataires|colocs|etudiant[e]?s|amis|amies)\b)",
+     "pour "),
+    (r"\b(deux|trois|quatre|cinq) (?:colocataires|colocs)\b(?!.*\bchambres?\b)", r"\1 chambres pour \1 colocataires"),
+    (r"\b(?:pas|nul) besoin (?:de |d'une? )(?={fr})", "sans "),
+    (r"^((?:un |le )?studio\b[^.]*?) un bureau\b", r"\1 une table de travail"),
+    (r"\bma (?:grand-?|belle-?)?(?: )?mere vit avec nous ?[:,.] ?sa chambre ([^.;,]*), la notre et celle de (?:mon|"
+     r"notre) fils\b",
+     r"trois chambres. la troisieme chambre \1"),
+    # "el de mis padres cerca del baño, y el nuestro al fondo"
+    (r"\bel dormitorio de mis padres ([^.;]*?),? y el nuestro (?=al|cerca|junto|lejos)",
+     r"el dormitorio de mis padres \1. nuestro "
+     r"dormitorio "),
+    # "我们的卧室在最里面"
+    (r"在(?:最|房子)?里(?:面|边|头)(?=[,.;]|$)", "在后面"),
     # "next to the bathroom, and the main bedroom should be the largest"
     (r"(\b(?:next to|beside|near|opposite|off|close to|behind) the (?:{kind}|bath)), (?:and|but|while) (?=the {kind} "
      r"(?:should|must|is|has|needs|faces|gets)\b)", r"\1. "),
@@ -136,7 +224,8 @@ _SAID = rules((
     (r"((?:卫生间|浴室|卧室))的门(?:都|全)(?:要|应该)?(?:开在|开向|通向|朝)走廊(?:上|里)?", r"\1都从走廊进"),
     (r"(爸妈|父母|老人|爷爷奶奶|孩子)(?:的)?那[间个](?![房卧])", r"\1的卧室"),
     (r"(次卧|主卧|卧室)兼(?:作|做|当|用作)?(?:书房|办公室|客房),?", r"\1里"),
-), given_up=_GIVEN_UP, rooms_of=_ROOMS_OF, moved=_MOVED)  # fmt: skip
+), given_up=_GIVEN_UP, rooms_of=_ROOMS_OF, moved=_MOVED, thing=_THING, side="(?:north|south|east|west)",
+    elder=ELDER, child=CHILD)  # fmt: skip
 
 
 def lived(text: str) -> str:

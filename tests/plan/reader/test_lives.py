@@ -67,8 +67,47 @@ SLIPS = [
     ("Deux chambres, un bureau où l'on entre par le séjour", "B2 H K L S W", "L1S1, !H1S1"),
     ("两个卧室，两个卫生间的门都开在走廊上。", "B2 H K L W2", "H1W1, H1W2"),
 ]
+TOLD = [
+    ("No long corridor please. One bedroom plus a small room for my assistant.", "B2 H K L W", ""),
+    ("Looking for a place for me and my son. He needs a desk in his room. One bathroom.",
+     "B2 H K L W", "B2 has 1 desk"),
+    ("We are four nurses on different shifts, so the bedrooms should be far from the living room. Two bathrooms.",
+     "B4 H K L W2", "apart B1 L1, apart B4 L1"),
+    ("My office is also the guest room. One bedroom, one bath.", "B H K L S W", "use S1 bedroom"),
+    ("The kids fight, so put their rooms at opposite ends. Three bedrooms.", "B3 H K L W2", "apart B2 B3"),
+    ("Could the laundry be in the bathroom? Two bedrooms.", "B2 H K L W", "W1 has 1 washing_machine"),
+    ("The twins will share, the older one has her own room. One bathroom.", "B3 H K L W", ""),
+    ("I teach piano at home: the music room should be the first room when you come in. Two other bedrooms.",
+     "B2 H K L S W",
+     "near S1 entrance, !L1 has 1 piano"),
+    ("i want a dressing room off our bedroom and a balcony off the living room, thats it",
+     "B C H K L W Y", "B1C1, L1Y1"),
+    ("a living room, a bedroom, a kitchen and a bathroom, that's it", "B K L W", ""),
+    ("The dining room is between the kitchen and the living room, and both should be open to it. Two bedrooms.",
+     "B2 D H K L W", "D1~K1, D1~L1"),
+    ("A one-bedroom flat; the bedroom has room for a piano.", "B H K L W", "B1 has 1 piano"),
+    ("Two desks in the second bedroom. We both study. One bath.", "B2 H K L W", "B2 has 2 desk"),
+    ("Our last flat had the bathroom off the kitchen, never again. Two bedrooms.",
+     "B2 H K L W", "no_door W1 K1, !K1W1"),
+    ("Two bedrooms. My bedroom must not have a window to the street.", "B2 H K L W", "!position B1 front"),
+    ("Grandma, us two, and two boys who share. One bathroom.", "B3 H K L W", ""),
+]
+ABROAD = [
+    ("Wir sind zu dritt mit unserem Baby, das noch bei uns schläft. Ein Arbeitszimmer wäre toll.", "B H K L S W", ""),
+    ("Unsere Kinder sind 4 und 7 und teilen sich ein Zimmer. Küche bitte nicht offen.", "B2 H K L W", "H1K1"),
+    ("Ich wohne allein und brauche ein Zimmer zum Malen mit Nordlicht. Sonst nichts Besonderes.", "B H K L S W",
+     "orientation S1 north"),
+    ("Meine Mutter kann schlecht laufen, ihr Zimmer also nah am Bad. Dazu unser Schlafzimmer und das von meinem Sohn.",
+     "B3 H K L W", "adjacent B3 W1"),
+    ("Ma grand-mère vit avec nous : sa chambre près de la salle de bains, la nôtre et celle de mon fils à l'arrière.",
+     "B3 H K L W", "adjacent B3 W1"),
+    ("Un studio pour un étudiant, avec un bureau et un coin cuisine.", "K L W", "L1 has 1 desk"),
+    ("Pas besoin de salon, on est trois colocataires.", "B3 H K W2", ""),
+]
 
 test_whose_rooms = as_meant(WHOSE)
 test_what_is_not_wanted = as_meant(NOT_WANTED)
 test_limits = as_meant(LIMITS)
 test_slips = as_meant(SLIPS)
+test_what_is_told = as_meant(TOLD)
+test_what_is_told_abroad = as_meant(ABROAD)
