@@ -53,6 +53,17 @@ def _nothing_else(found: re.Match[str]) -> str:
     return found.group() if re.search(r"\bkitchen", said) and re.search(r"\bbath|\bshower|\btoilet", said) else "."
 
 
+def _second_and_mine(found: re.Match[str]) -> str:
+    """`one bedroom for him next to the bathroom, one for me` as two, of which his is the second."""
+    return f"two bedrooms{f'. the second bedroom{found[1]}' if found[1].strip() else ''}"
+
+
+def _son_and_daughter(found: re.Match[str]) -> str:
+    """`our son wants the room next to the bathroom, our daughter the one next to us`: whose each is."""
+    first, second = (re.sub("^us$|^ours$", "our bedroom", found[k]) for k in (3, 6))
+    return f"our {found[1]}'s bedroom is {found[2]} {first}. our {found[4]}'s bedroom is {found[5]} {second}"
+
+
 def _for_each(found: re.Match[str]) -> str:
     """`a bedroom for me, one for her, one for him` as three."""
     return f"{('two', 'three', 'four')[min(found[1].count(' for '), 3) - 1]} bedrooms"
@@ -159,6 +170,18 @@ _SAID = rules((
      r"(?:hate|hated)|(?:i|we) hated? (?:it|that))", r"no door between \1 and \2"),
     (r"\b(must not|should not|shouldn't|mustn't|can't|cannot) have (?:a |any )?windows? (?:to|on|onto|facing|towards) "
      r"(?=the (?:street|road|garden|courtyard|{side})\b)", r"\1 face "),
+    (r"\b(?:the |our )?(?:previous|last|former) (?:tenants|owners|people) had (the [a-z ]+?) in the {kind}[;,.] "
+     r"?(?:but )?(?:we|i) (?:want|would like|need|prefer) (?:it|them) in the ({kind})", r"\1 in the \2"),
+    # "six of us in the house: mum, dad and …", "we are three adults", "one bedroom for him, one for me"
+    (r"\bthere are {several} of us in (?:the|our|this) (?:house|flat|home|apartment|family) ?: ?", ""),
+    (r"\bwe(?: are|'re) ({several}) (?:adults|grown-ups|singles|working people|professionals)(?=[.;,])",
+     r"for \1 flatmates"),
+    (r"\bone bed ?room for (?:him|her|my [a-z]+)([^.;]{0,40}?),? (?:and )?one for (?:me|us)\b", _second_and_mine),
+    (r"\b(?:our|my) (son|daughter) (?:wants?|gets|has|needs|should have)(?: to have)? the (?:bed ?)?room (next to|"
+     r"beside|near|opposite|away from) ([^.;,]+),? (?:and )?(?:our|my) (son|daughter) (?:gets |wants |has )?the one "
+     r"(next to|beside|near|opposite|away from) ([^.;,]+)", _son_and_daughter),
+    # "a kitchen with an island, open to the living room"
+    (r"\bkitchen with ([^,;.]{3,25}), open to (the {kind})", r"kitchen open to \2. the kitchen has \1. "),
     # "five people: grandma, us two, and two boys who share"
     (r"\b({elder}),? us two,? and (?:the |our )?two {young} (?:who|that) share\b",
      r"a bedroom for \1, a bedroom for us and a "

@@ -90,6 +90,14 @@ TOLD = [
     ("Our last flat had the bathroom off the kitchen, never again. Two bedrooms.",
      "B2 H K L W", "no_door W1 K1, !K1W1"),
     ("Two bedrooms. My bedroom must not have a window to the street.", "B2 H K L W", "!position B1 front"),
+    ("The previous tenants had the washing machine in the hallway; we want it in the bathroom. One-bedroom flat.",
+     "B H K L W", "W1 has 1 washing_machine, !H1 has 1 washing_machine"),
+    ("We are three adults. A flat with one bathroom.", "B3 H K L W", ""),
+    ("One bedroom for him by the bathroom, one for me.", "B2 H K L W", "adjacent B2 W1"),
+    ("Our son wants to have the room next to the bathroom, our daughter the one next to us.", "B3 H K L W",
+     "adjacent B2 W1, adjacent B3 B1"),
+    ("A big kitchen with an island, open to the living room, and a bedroom at the back.", "B H K L W",
+     "K1~L1, K1 has 1 island, !B1K1, position B1 back"),
     ("Grandma, us two, and two boys who share. One bathroom.", "B3 H K L W", ""),
 ]
 ABROAD = [
