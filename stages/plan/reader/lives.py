@@ -2,18 +2,23 @@
 
 import re
 
+from apartgen.stages.plan.reader.lives_abroad import lived_abroad
 from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import CHILD, ELDER, reworded, rules
 
+_COMMON = ("next", "facing", "front", "back", "near", "opposite", "between", "everyone", "people", "share", "with",
+           "open", "main", "dining", "large", "small", "largest", "should", "study", "flat", "table", "their", "have",
+           "beside", "door", "without", "each", "living", "corner", "window", "separate", "other")  # fmt: skip
+"""Words of which two letters change places, and that are then no other word."""
 _SLIPS = {
-    "adn": "and", "nad": "and", "wiht": "with", "wtih": "with", "teh": "the", "opne": "open", "mian": "main",
-    "flta": "flat", "nxt": "next", "oposite": "opposite", "opposit": "opposite", "oppsite": "opposite",
-    "betwen": "between", "bewteen": "between", "beetween": "between", "shoud": "should", "shuold": "should",
-    "largst": "largest", "bigest": "biggest", "smalest": "smallest", "acess": "access",
-}  # fmt: skip
-"""Words so mistyped that they are no others, nor names of rooms, which are corrected where they are read."""
+    "adn": "and", "teh": "the", "nxt": "next", "oposite": "opposite", "opposit": "opposite",
+    "betwen": "between", "beetween": "between", "shoud": "should", "largst": "largest", "bigest": "biggest",
+    "smalest": "smallest", "acess": "access", "evryone": "everyone", "larg": "large", "seperate": "separate",
+} | {f"{word[:k]}{word[k + 1]}{word[k]}{word[k + 2:]}": word for word in _COMMON for k in range(len(word) - 1)
+     if word[k] != word[k + 1] and (word, k) not in (("door", 0), ("main", 2), ("near", 2))}  # fmt: skip
+"""Words mistyped, which are no others; names of rooms are corrected where they are read."""
 _SLIP = re.compile(rf"\b(?:{'|'.join(_SLIPS)})\b")
-_KIN = rf"(?:{ELDER}|(?:mother|father|parents)-in-law|brother|sister|cousin|nephew|niece|client|lady|gentleman)"
+_KIN = rf"(?:{ELDER}|{CHILD}|(?:mother|father|parents)-in-law|brother|sister|cousin|nephew|niece|client|lady|gentleman)"
 _HIS = late(rf"\b(?:my|our|an?) (?:(?:elderly|old|disabled|sick) )?(?P<who>{_KIN})\b[^.;]*[.;,] ?(?:[a-z]+ ){{0,3}}"
             r"(?P<his>his|her) (?:own )?(?:bed ?)?room\b")  # fmt: skip
 _COUNTED = re.compile(r"\b(?:one|two|three|four|five|\d)[ -](?:[a-z]+ )?bed ?rooms?\b")
@@ -23,7 +28,6 @@ _SHARERS = late(r"\b(?:for |with )?(two|three|four|five|six|[2-6]) (?:[a-z-]+ )?
 _EACH = re.compile(r"\b(?:each|every|all)(?: of)?(?: the)? bed ?rooms?\b|\bthe bed ?rooms\b")
 _ROOMS_OF = "(?:bed ?room|room|bath ?room)"
 _GIVEN_UP = r"(?:won't|will not|shan't|are not going to|aren't going to) (?:have|want|need|be having)"
-_NACH = {"nord": "norden", "sud": "suden", "ost": "osten", "west": "westen"}
 _THING = (r"(?:desks?|piano|table|sofa|wardrobes?|beds?|cot|armchair|bookshel(?:f|ves)|bookcase|dresser|rug|television|"
           r"tv)")  # fmt: skip
 _MOVED = r"(?:(?:washing machine|dryer|desk|piano|freezer|fridge|dishwasher|wardrobe))"
@@ -62,6 +66,21 @@ def _son_and_daughter(found: re.Match[str]) -> str:
     """`our son wants the room next to the bathroom, our daughter the one next to us`: whose each is."""
     first, second = (re.sub("^us$|^ours$", "our bedroom", found[k]) for k in (3, 6))
     return f"our {found[1]}'s bedroom is {found[2]} {first}. our {found[4]}'s bedroom is {found[5]} {second}"
+
+
+_ROOM = late(r"\b(?:living room|kitchen|study|dining room|bath ?room|hall(?:way)?|balcony|office|lounge)\b")
+
+
+def _no_door(found: re.Match[str]) -> str:
+    """`no door from it into my bedroom`, of the room that was spoken of first in what is said before."""
+    one = found["a"]
+    if one == "it":
+        parts = [_ROOM.search(part) for part in re.split(r"[.;]", found.string[: found.start()])]
+        named = [room.group() for room in parts if room]
+        if not named:
+            return found.group()
+        one = f"the {named[-1]}"
+    return f"no door between {one} and {found['b']}"
 
 
 def _for_each(found: re.Match[str]) -> str:
@@ -182,40 +201,21 @@ _SAID = rules((
      r"(next to|beside|near|opposite|away from) ([^.;,]+)", _son_and_daughter),
     # "a kitchen with an island, open to the living room"
     (r"\bkitchen with ([^,;.]{3,25}), open to (the {kind})", r"kitchen open to \2. the kitchen has \1. "),
+    # "no door from the living room into my bedroom", "kitchen open to the dining room and dining room open to the
+    # living room"
+    (r"\bno doors? (?:from|leading from) (?P<a>the {kind}|it) (?:in)?to (?P<b>(?:the|my|our|his|her) (?:own )?{kind})",
+     _no_door),
+    (r"\b({kind}) open to (?:the )?({kind}),? (?:and )?(?:the )?\2 open to (?:the )?({kind})",
+     r"\1 open to the \2, the \2 is open to the \3"),
+    (r"\b(two (bed|bath)( ?)rooms of (?:the same|equal) (?:area|size)),? (opposite|next to|far from|away from) "
+     r"(?:each other|one another)", r"\1. the \2\3rooms are \4 each other"),
+    (r"\b(?:we are |for )?({several}) (?:student|friend|flatmate|colleague|sister|brother|nurse)s?(?: from [a-z]+)?,? "
+     r"(?:and |who )?(?:we )?all (?:have|need|want|get)s?(?: our| their| his)? own (?:bed ?)?rooms?\b",
+     r"for \1 flatmates"),
     # "five people: grandma, us two, and two boys who share"
     (r"\b({elder}),? us two,? and (?:the |our )?two {young} (?:who|that) share\b",
      r"a bedroom for \1, a bedroom for us and a "
      r"kids bedroom"),
-    # "mit unserem Baby, das noch bei uns schläft", "unsere Kinder teilen sich ein Zimmer", "Sonst nichts Besonderes"
-    (r"\bwir sind (?:zu dritt|drei),? mit (?:unserem|dem|einem) baby, das (?:noch )?bei uns schlaft\b",
-     "wir sind ein paar"),
-    (r"\b(?:unsere|die|meine)(?: zwei| beiden)? (?:kinder|tochter|sohne|jungs|madchen)(?: sind [\d und,]+(?:jahre alt "
-     r")?)?(?: und)? teilen sich ein zimmer\b", "ein kinderzimmer und ein elternschlafzimmer"),
-    (r"[,;.]? ?(?:und )?(?:sonst|ansonsten) (?:nichts (?:besonderes|weiter besonderes)|wie ublich|alles wie "
-     r"ublich){end}", ""),
-    (r"\bein(?:en)? (?:zimmer|raum) (?=zum (?:malen|musizieren|nahen|arbeiten|basteln|schreiben)\b)",
-     "ein arbeitszimmer "),
-    (r"\bmit (nord|sud|ost|west)licht\b", lambda found: f"nach {_NACH[found[1]]}"),
-    (r"\b(?:meine|unsere) (?:schwieger|gross)?mutter [^.]*?,? ihr zimmer (?:also |bitte |soll )?(nah am|neben dem|"
-     r"beim) bad\. ?(?:dazu |ausserdem |und )?unser schlafzimmer und (?:das|eins) (?:von meinem|fur meinen|meines) "
-     r"sohne?s?\b",
-     "drei schlafzimmer. das dritte schlafzimmer neben dem bad"),
-    # "on est trois colocataires", "pas besoin de salon", "un studio avec un bureau", "sa chambre …, la nôtre et
-    # celle de"
-    (r"\b(?:on est|nous sommes) (?=(?:deux|trois|quatre|cinq) (?:colocataires|colocs|etudiant[e]?s|amis|amies)\b)",
-     "pour "),
-    (r"\b(deux|trois|quatre|cinq) (?:colocataires|colocs)\b(?!.*\bchambres?\b)", r"\1 chambres pour \1 colocataires"),
-    (r"\b(?:pas|nul) besoin (?:de |d'une? )(?={fr})", "sans "),
-    (r"^((?:un |le )?studio\b[^.]*?) un bureau\b", r"\1 une table de travail"),
-    (r"\bma (?:grand-?|belle-?)?(?: )?mere vit avec nous ?[:,.] ?sa chambre ([^.;,]*), la notre et celle de (?:mon|"
-     r"notre) fils\b",
-     r"trois chambres. la troisieme chambre \1"),
-    # "el de mis padres cerca del baño, y el nuestro al fondo"
-    (r"\bel dormitorio de mis padres ([^.;]*?),? y el nuestro (?=al|cerca|junto|lejos)",
-     r"el dormitorio de mis padres \1. nuestro "
-     r"dormitorio "),
-    # "我们的卧室在最里面"
-    (r"在(?:最|房子)?里(?:面|边|头)(?=[,.;]|$)", "在后面"),
     # "next to the bathroom, and the main bedroom should be the largest"
     (r"(\b(?:next to|beside|near|opposite|off|close to|behind) the (?:{kind}|bath)), (?:and|but|while) (?=the {kind} "
      r"(?:should|must|is|has|needs|faces|gets)\b)", r"\1. "),
@@ -227,26 +227,6 @@ _SAID = rules((
     (r"(?:(?<=[{,;(.] )|(?<=\")|^)max(?:imum)? (?:total )?area(?: ?\(?(?:m2|sqm)\)?)?\"? ?: ?\"?({amount})(?: "
      r"?{unit})?", r"at most \1 m2 in total"),
     (r"\b((?:bath|bed) ?room|kitchen|living room|study) ?: ?1, ?(?={amount} ?{unit})", r"\1: "),
-    # "eine offene Küche möchte ich nicht", "ins erste kommen ein Bett und …, ins zweite ein Schreibtisch"
-    (r"\b(eine?n? [a-z ]{3,30}?) (?:mochte|will|brauche|wollen|mochten|brauchen) (?:ich|wir) nicht\b", r"k\1"),
-    (r"\bins (erste|zweite|dritte)(?: schlafzimmer)?(?: kommen| kommt| sollen| soll| gehoren| gehort)? (?=ein|zwei|"
-     r"das)",
-     r"im \1n "),
-    # "un bureau où l'on entre par le séjour", "accessible à la fois de la chambre et du couloir", "c'est pour mes
-    # parents"
-    (r",? ?ou (?:l')?on entre (par|depuis) ", r" accessible \1 "),
-    (r"\b(accessibles?|donnant) a la fois (?=de|du|depuis|sur)", r"\1 "),
-    (r"^c'est pour (?:mes|nos|des) [a-z]+(?: ages)? ?: ?", ""),
-    # "cada pareja con su dormitorio y su baño dentro", "tiene que ser la habitación más grande"
-    (r"\b(?:somos )?(dos|tres) parejas\b[^:;.]*[:;.,] ?(?:y )?cada (?:pareja|una) con su dormitorio y su bano(?: "
-     r"dentro| propio| privado)?", r"\1 dormitorios, cada uno con su bano propio"),
-    (r"\b(dos|tres|cuatro) dormitorios, (?:el|uno) (?=de mi (?:madre|padre|abuel[oa]|suegr[oa]|hij[oa]|herman[oa])\b)",
-     r"\1 dormitorios. el dormitorio "),
-    (r"\b(?:tiene que|debe|ha de|deberia) ser (?=la (?:habitacion|estancia|pieza) mas)", "es "),
-    # "卫生间的门都开在走廊上", "次卧兼作书房"
-    (r"((?:卫生间|浴室|卧室))的门(?:都|全)(?:要|应该)?(?:开在|开向|通向|朝)走廊(?:上|里)?", r"\1都从走廊进"),
-    (r"(爸妈|父母|老人|爷爷奶奶|孩子)(?:的)?那[间个](?![房卧])", r"\1的卧室"),
-    (r"(次卧|主卧|卧室)兼(?:作|做|当|用作)?(?:书房|办公室|客房),?", r"\1里"),
 ), given_up=_GIVEN_UP, rooms_of=_ROOMS_OF, moved=_MOVED, thing=_THING, side="(?:north|south|east|west)",
     elder=ELDER, child=CHILD)  # fmt: skip
 
@@ -254,4 +234,4 @@ _SAID = rules((
 def lived(text: str) -> str:
     """A folded text with such clauses in plain words."""
     text = _SLIP.sub(lambda found: _SLIPS[found.group()], text)
-    return _each_of_many(reworded(_two_sizes(_whose(text)), _SAID))
+    return _each_of_many(lived_abroad(reworded(_two_sizes(_whose(text)), _SAID)))

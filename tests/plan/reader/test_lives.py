@@ -105,12 +105,21 @@ ABROAD = [
     ("Unsere Kinder sind 4 und 7 und teilen sich ein Zimmer. Küche bitte nicht offen.", "B2 H K L W", "H1K1"),
     ("Ich wohne allein und brauche ein Zimmer zum Malen mit Nordlicht. Sonst nichts Besonderes.", "B H K L S W",
      "orientation S1 north"),
-    ("Meine Mutter kann schlecht laufen, ihr Zimmer also nah am Bad. Dazu unser Schlafzimmer und das von meinem Sohn.",
-     "B3 H K L W", "adjacent B3 W1"),
-    ("Ma grand-mère vit avec nous : sa chambre près de la salle de bains, la nôtre et celle de mon fils à l'arrière.",
-     "B3 H K L W", "adjacent B3 W1"),
     ("Un studio pour un étudiant, avec un bureau et un coin cuisine.", "K L W", "L1 has 1 desk"),
     ("Pas besoin de salon, on est trois colocataires.", "B3 H K W2", ""),
+]
+DOORS = [
+    ("The living room is next to the bathroom. There must be no door from it into my bedroom.", "B H K L W",
+     "no_door L1 B1, !B1L1"),
+    ("Two bedrooms. No door from the kitchen into the bathroom.", "B2 H K L W", "no_door K1 W1, !K1W1"),
+    ("kitchen open to the dining room and dining room open to the living room, two bedrooms", "B2 D H K L W",
+     "D1~K1, D1~L1"),
+    ("Two bedrooms of equal area opposite each other", "B2 H K L W", "opposite B1 B2"),
+    ("four students, all have their own bedroom, one bathroom", "B4 H K L W", ""),
+    ("Zwei Schlafzimmer, vom Esszimmer geht eine Tür ins Wohnzimmer.", "B2 D H K L W", "D1L1"),
+    ("Ein Schlafzimmer, im Wohnzimmer ein Ecksofa", "B H K L W", "L1 has 1 corner_sofa, !L1 has 1 sofa"),
+    ("deux chambres éloignées l'une de l'autre", "B2 H K L W", "apart B1 B2"),
+    ("一室一厅，客厅放两盆绿植", "B H K L W", "L1 has 2 plant"),
 ]
 
 test_whose_rooms = as_meant(WHOSE)
@@ -119,3 +128,4 @@ test_limits = as_meant(LIMITS)
 test_slips = as_meant(SLIPS)
 test_what_is_told = as_meant(TOLD)
 test_what_is_told_abroad = as_meant(ABROAD)
+test_doors_and_words = as_meant(DOORS)
