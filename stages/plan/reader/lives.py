@@ -212,6 +212,21 @@ _SAID = rules((
     (r"\b(?:we are |for )?({several}) (?:student|friend|flatmate|colleague|sister|brother|nurse)s?(?: from [a-z]+)?,? "
      r"(?:and |who )?(?:we )?all (?:have|need|want|get)s?(?: our| their| his)? own (?:bed ?)?rooms?\b",
      r"for \1 flatmates"),
+    # "parrots live in the living room, so it needs at least 30 m²", "the study is far away from both"
+    (r"(\bthe {kind})([^.;]{0,40}?),? so it (?:needs|has to have|must have|should have) (?:at least|a minimum of) "
+     r"({amount} ?{unit})",
+     r"\1\2. \1 has at least \3"),
+    (r"\b(the {kind}) (?:is|should be|must be|lies) (?:right |directly )?(next to|beside|opposite|near) (the "
+     r"{kind}),? (?:and|but) (the {kind}) (?:is|should be|must be) (?:as )?far(?: away)?(?: as possible)? from "
+     r"both(?: of them)?",
+     r"\1 is \2 \3. \4 is far from \1 and \3"),
+    # "one facing north, one east and one south", "at least 1.3 m wide and not longer than 10 m"
+    (r"\bone facing {side}(?:(?:,| and|, and) one {side}\b)+",
+     lambda found: re.sub(r"\bone (?!facing)", "one facing ", found.group())),
+    (r"\b(an?|the) ({hall}|balcony) (that is (?:at least|at most) {amount} ?m (?:wide|long)),? (?:and|but) (?:not|no) "
+     r"(long|wide)e?r than ({amount} ?m)\b", r"\1 \2 \3. the \2 is at most \5 \4"),
+    (r"\b(an? {kind}) (that|which) (you|one) (enters?) from (the {kind}), (?:on|at|in) the ({side})(?: side)?",
+     r"\1 on the \6 side \2 \3 \4 from \5"),
     # "five people: grandma, us two, and two boys who share"
     (r"\b({elder}),? us two,? and (?:the |our )?two {young} (?:who|that) share\b",
      r"a bedroom for \1, a bedroom for us and a "

@@ -121,6 +121,20 @@ DOORS = [
     ("deux chambres éloignées l'une de l'autre", "B2 H K L W", "apart B1 B2"),
     ("一室一厅，客厅放两盆绿植", "B H K L W", "L1 has 2 plant"),
 ]
+SAID_OF_IT = [
+    ("I keep parrots in the living room, so it needs at least 30 m2. One bedroom.", "B H K L W",
+     "at_least L1 30, !at_least home 30"),
+    ("One bedroom. The kitchen is next to the bedroom, and the study is far away from both.", "B H K L S W",
+     "adjacent K1 B1, apart S1 K1, apart S1 B1"),
+    ("four bedrooms, one facing north, one east, one south and one west", "B4 H K L W2",
+     "orientation B1 north, orientation B2 east, orientation B4 west"),
+    ("Two bedrooms, and a hallway that is at least 1.3 m wide and not longer than 10 m.", "B2 H K L W",
+     "at_least H1 width 1.3, at_most H1 length 10"),
+    ("a utility room that you enter from the kitchen, on the north side. One bedroom.", "B H K L U W",
+     "K1U1, position U1 north, !position K1 north"),
+    ("The study must be the smallest room, in the centre of the flat. One bedroom.", "B H K L S W",
+     "order S1 smallest, position S1 centre"),
+]
 
 test_whose_rooms = as_meant(WHOSE)
 test_what_is_not_wanted = as_meant(NOT_WANTED)
@@ -129,3 +143,4 @@ test_slips = as_meant(SLIPS)
 test_what_is_told = as_meant(TOLD)
 test_what_is_told_abroad = as_meant(ABROAD)
 test_doors_and_words = as_meant(DOORS)
+test_what_is_said_of_it = as_meant(SAID_OF_IT)
