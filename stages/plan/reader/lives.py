@@ -7,21 +7,23 @@ from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import CHILD, ELDER, reworded, rules
 
 _COMMON = ("next", "facing", "front", "back", "near", "opposite", "between", "everyone", "people", "share", "with",
-           "open", "main", "dining", "large", "small", "largest", "should", "study", "flat", "table", "their", "have",
-           "beside", "door", "without", "each", "living", "corner", "window", "separate", "other")  # fmt: skip
+           "open", "main", "large", "small", "largest", "should", "their", "have", "beside", "without", "each",
+           "separate", "other")  # fmt: skip
 """Words of which two letters change places, and that are then no other word."""
 _SLIPS = {
     "adn": "and", "teh": "the", "nxt": "next", "oposite": "opposite", "opposit": "opposite",
     "betwen": "between", "beetween": "between", "shoud": "should", "largst": "largest", "bigest": "biggest",
     "smalest": "smallest", "acess": "access", "evryone": "everyone", "larg": "large", "seperate": "separate",
 } | {f"{word[:k]}{word[k + 1]}{word[k]}{word[k + 2:]}": word for word in _COMMON for k in range(len(word) - 1)
-     if word[k] != word[k + 1] and (word, k) not in (("door", 0), ("main", 2), ("near", 2))}  # fmt: skip
+     if word[k] != word[k + 1] and (word, k) not in (("main", 2), ("near", 2))}  # fmt: skip
 """Words mistyped, which are no others; names of rooms are corrected where they are read."""
 _SLIP = re.compile(rf"\b(?:{'|'.join(_SLIPS)})\b")
-_KIN = rf"(?:{ELDER}|{CHILD}|(?:mother|father|parents)-in-law|brother|sister|cousin|nephew|niece|client|lady|gentleman)"
+_KIN = rf"(?:{ELDER}|(?:mother|father|parents)-in-law|brother|sister|cousin|nephew|niece|client|lady|gentleman)"
 _HIS = late(rf"\b(?:my|our|an?) (?:(?:elderly|old|disabled|sick) )?(?P<who>{_KIN})\b[^.;]*[.;,] ?(?:[a-z]+ ){{0,3}}"
             r"(?P<his>his|her) (?:own )?(?:bed ?)?room\b")  # fmt: skip
 _COUNTED = re.compile(r"\b(?:one|two|three|four|five|\d)[ -](?:[a-z]+ )?bed ?rooms?\b")
+_NAMED_ELSE = re.compile(r"\bour (?:own )?bed ?room\b|\bme and my\b")
+_ABROAD = re.compile(r"\b(?:chambres?|dormitorios?|habitaciones|zimmer|schlafzimmer)\b|[\u4e00-\u9fff]")
 _LARGE, _SMALL = (late(rf"\bthe (?:{words}) bed ?room\b") for words in ("big|bigger|large|larger", "small|smaller"))
 _SHARERS = late(r"\b(?:for |with )?(two|three|four|five|six|[2-6]) (?:[a-z-]+ )?(?:(?:flat|house|room)mates|friends|"
                 r"students|colleagues|tenants|adults|lodgers|nurses|trainees)\b")  # fmt: skip
@@ -36,7 +38,7 @@ _MOVED = r"(?:(?:washing machine|dryer|desk|piano|freezer|fridge|dishwasher|ward
 def _whose(text: str) -> str:
     """`I look after my father. His room …, my own room …` as bedrooms of the two, where none are counted."""
     found = _HIS.search(text)
-    if found is None or _COUNTED.search(text):
+    if found is None or _COUNTED.search(text) or _NAMED_ELSE.search(text):
         return text
     before, after = text[: found.start("his")], text[found.start("his") :]
     after = re.sub(rf"\b{found['his']} (?:own )?(?:bed ?)?room\b", f"my {found['who']}'s bedroom", after)
@@ -46,7 +48,7 @@ def _whose(text: str) -> str:
 
 def _two_sizes(text: str) -> str:
     """`she has the big bedroom, I have the small bedroom`: two, where none are counted."""
-    if _LARGE.search(text) is None or _SMALL.search(text) is None or _COUNTED.search(text):
+    if _LARGE.search(text) is None or _SMALL.search(text) is None or _COUNTED.search(text) or _ABROAD.search(text):
         return text
     return f"two bedrooms. {text}"
 
@@ -146,14 +148,18 @@ _SAID = rules((
     (r"([.;,] ?)((?:main|master) bed ?room (?:is|are|faces|has|should|must|needs|gets|opens|lies)\b)", r"\1the \2"),
     # "a small room for my assistant", "a place for me and my son", "we are four nurses on different shifts"
     (r"\b(an?|one|the) ((?:small |large |big |little |quiet |second |third |extra |separate )?)room (?=for (?:my|our|"
-     r"an?|the) (?:live-in |visiting |elderly )?(?:assistant|carer|nurse|au pair|nanny|helper|housekeeper|lodger|maid|"
-     r"{elder}|{child}|brother|sister)\b)", r"\1 \2bedroom "),
-    (r"\b(?:for|of) (?:just )?(?:me|myself) and (?:my|our) (?=(?:son|daughter|boy|girl|kid|child|nephew|niece|brother|"
-     r"sister|{elder})\b)(?!.*\b{number}[ -](?:[a-z]+ )?(?:bed ?)?rooms?\b)([a-z]+)",
+     r"an?|the) (?:live-in |visiting |elderly )?(?:assistant|carer|nurse|au pair|nanny|helper|housekeeper|lodger|"
+     r"maid)\b)",
+     r"\1 \2bedroom "),
+    (r"\b(?:for|of) (?:just )?(?:me|myself) and (?:my|our) (?=(?:son|daughter|boy|girl|kid|child|nephew|"
+     r"niece)\b)(?!.*\b(?:her|his|their) (?:bed ?)?room\b[^.;]*\bmy (?:own )?(?:bed "
+     r"?)?room\b)(?!.*\b{number}[ -](?:[a-z]+ )?(?:bed ?)?rooms?\b)([a-z]+)",
      r"with a bedroom for me and a bedroom for my \1"),
     (r"\bwe(?: are|'re) (?P<n>{several}) (?P<who>(?:young |old |male |female |medical |phd )?(?:{grown}|nurses|doctors|"
-     r"interns|trainees|musicians|artists|cousins|girls|guys)) (?:on|in|at|from|with|who) [^.;,]+?[,.;](?: so)?",
+     r"interns|trainees|musicians|artists|cousins|girls|guys)) (?:on|in|at|from|who) [^.;,]+?[,.;](?: so)?",
      r"for \g<n> flatmates."),
+    (r"\bmy (son|daughter)\b([^.;]*?)\b(?:his|her) room ((?:far )?away from|far from|next to|beside) mine\b",
+     r"my \1\2my \1's bedroom \3 my bedroom"),
     # "my office is also the guest room", "the kids' rooms at opposite ends", "could the laundry be in the bathroom"
     (r"\b(?:my|our|the) ((?:home )?office|study|workroom) (?:is|should be|must be|will be) also (?:be )?(?:the|our|"
      r"an?) (?=guest (?:bed ?)?room)", r"a \1 also used as "),

@@ -9,7 +9,7 @@ _SAID = rules((
     (r"\bwir sind (?:zu dritt|drei),? mit (?:unserem|dem|einem) baby, das (?:noch )?bei uns schlaft\b",
      "wir sind ein paar"),
     (r"\b(?:unsere|die|meine)(?: zwei| beiden)? (?:kinder|tochter|sohne|jungs|madchen)(?: sind [\d und,]+(?:jahre alt "
-     r")?)?(?: und)? teilen sich ein zimmer\b", "ein kinderzimmer und ein elternschlafzimmer"),
+     r")?)?(?: und)? teilen sich ein zimmer\b(?!.*schlafzimmer)", "ein elternschlafzimmer und ein kinderzimmer"),
     (r"[,;.]? ?(?:und )?(?:sonst|ansonsten) (?:nichts (?:besonderes|weiter besonderes)|wie ublich|alles wie "
      r"ublich){end}", ""),
     (r"\bein(?:en)? (?:zimmer|raum) (?=zum (?:malen|musizieren|nahen|arbeiten|basteln|schreiben)\b)",
@@ -21,8 +21,8 @@ _SAID = rules((
     (r"\b(?:on est|nous sommes) (?=(?:deux|trois|quatre|cinq) (?:colocataires|colocs|etudiant[e]?s|amis|amies)\b)",
      "pour "),
     (r"\b(deux|trois|quatre|cinq) (?:colocataires|colocs)\b(?!.*\bchambres?\b)", r"\1 chambres pour \1 colocataires"),
-    (r"\b(?:pas|nul) besoin (?:de |d'une? )(?={fr})", "sans "),
-    (r"^((?:un |le )?studio\b[^.]*?) un bureau\b", r"\1 une table de travail"),
+    (r"(^|[.,;:] ?)(?:pas|nul) besoin (?:de |d'une? )(?={fr})", r"\1sans "),
+    (r"^((?:un |le )?studio\b[^.]*?) un bureau\b(?! (?:separe|ferme|a part))", r"\1 une table de travail"),
     (r"\bdeux chambres eloignees l'une de l'autre\b", "deux chambres. the bedrooms are far from each other"),
     (r"\bpas plus de ({amount}) ?(?:m|metres) de (long|large)(?:ueur|geur)? pour le (couloir|hall)\b",
      r"le \3 pas plus de \1 m de \2"),

@@ -52,7 +52,7 @@ INSIDE = {
 }  # fmt: skip
 THINGS = {
     "de": {"side_table": "ein Beistelltisch", "bookshelf": "ein Regal", "floor_lamp": "eine Stehlampe",
-           "office_chair": "ein Bürostuhl", "sofa": "ein Ecksofa"},
+           "office_chair": "ein Bürostuhl", "sofa": "eine Couch", "corner_sofa": "ein Ecksofa"},
     "fr": {"desk": "un bureau", "bookshelf": "une bibliothèque", "floor_lamp": "un lampadaire",
            "office_chair": "une chaise de bureau", "sofa": "un canapé", "tv_stand": "un meuble télé",
            "bench": "un banc", "nightstand": "une table de nuit", "oven": "un four"},
