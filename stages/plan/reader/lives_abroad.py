@@ -22,7 +22,7 @@ _SAID = rules((
      "pour "),
     (r"\b(deux|trois|quatre|cinq) (?:colocataires|colocs)\b(?!.*\bchambres?\b)", r"\1 chambres pour \1 colocataires"),
     (r"(^|[.,;:] ?)(?:pas|nul) besoin (?:de |d'une? )(?={fr})", r"\1sans "),
-    (r"^((?:un |le )?studio\b[^.]*?) un bureau\b(?! (?:separe|ferme|a part))", r"\1 une table de travail"),
+    (r"^((?:un |le )?studio\b[^.]*?\b(?:avec|et)) un bureau\b(?! (?:separe|ferme|a part))", r"\1 une table de travail"),
     (r"\bdeux chambres eloignees l'une de l'autre\b", "deux chambres. the bedrooms are far from each other"),
     (r"\bpas plus de ({amount}) ?(?:m|metres) de (long|large)(?:ueur|geur)? pour le (couloir|hall)\b",
      r"le \3 pas plus de \1 m de \2"),
