@@ -38,8 +38,9 @@ SERVED, CARRIED = 0.75, 3.5
 """Cost of a metre by which a kitchen's door in a hall is farther than that from the door to where one eats, m."""
 DETOUR = 0.3
 """Cost of a metre that the way from the entrance through a door to a room's middle is longer than the straight one."""
-BARS, PASSED = 8.0, 0.27
-"""Cost of a leaf that, standing open, cuts the hallway it opens into; half the width one passes by it in, m."""
+BARS, PASSED = 8.0, 0.32
+"""Cost of a leaf that, standing open, cuts the hallway it opens into; half the width one passes by it and its lever
+in, m."""
 LEAF = 0.05
 """Thickness of a leaf that stands open, m."""
 EATEN_IN = ({"living_room", "hallway"}, {"dining_room", "hallway"})

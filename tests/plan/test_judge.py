@@ -1,6 +1,7 @@
 """The judge of plans finds each way in which a good plan can be spoiled."""
 
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 from plan.flats import drawn, flat
@@ -80,19 +81,25 @@ def test_finds_colliding_leaves() -> None:
     assert any("leaf" in fault or "leaves" in fault for fault in crowded), crowded
 
 
-@pytest.mark.parametrize("width, passes", [(1.3, False), (1.6, True)])
-def test_finds_a_leaf_that_closes_a_hallway_while_it_stands_open(width: float, passes: bool) -> None:
+@pytest.mark.parametrize("beside", [False, True])
+@pytest.mark.parametrize("width, passes", [(1.3, False), (1.4, False), (1.6, True)])
+def test_finds_a_leaf_that_closes_a_hallway_while_it_stands_open(width: float, passes: bool, beside: bool) -> None:
+    """A leaf of .8 m with its lever; a bathroom `beside` the entrance, entered farther on, is near through a wall."""
     rooms = [drawn("hallway_1", 0, 0, 6, width), drawn("storage_1", 1, -2.1, 4, -0.1),
              drawn("bedroom_1", 6.1, -1, 10, 3)]
-    asked = [{"id": room.id, "type": room.type} for room in rooms]
-    doors = [
-        {"id": "entrance_1", "rooms": ["hallway_1"], "segment": ((-0.15, width - 0.1), (-0.15, width - 1.0)),
+    doors: list[dict[str, Any]] = [
+        {"id": "entrance_1", "rooms": ["hallway_1"], "segment": ((-0.15, width - 0.02), (-0.15, width - 0.92)),
          "kind": "entrance", "into": "hallway_1"},
         {"id": "door_1", "rooms": ["hallway_1", "storage_1"], "segment": ((2.4, -0.05), (3.2, -0.05)), "kind": "door",
          "into": "hallway_1"},
         {"id": "door_2", "rooms": ["hallway_1", "bedroom_1"], "segment": ((6.05, 0.2), (6.05, 1.1)), "kind": "door",
          "into": "bedroom_1"},
     ]
+    if beside:
+        rooms.append(drawn("bathroom_1", 0, width + 0.1, 5, width + 2.1))
+        doors.append({"id": "door_3", "rooms": ["hallway_1", "bathroom_1"], "kind": "door", "into": "bathroom_1",
+                      "segment": ((3.8, width + 0.05), (4.6, width + 0.05))})
+    asked = [{"id": room.id, "type": room.type} for room in rooms]
     plan = Plan.model_validate({"program": {"rooms": asked}, "rooms": rooms,
                                 "openings": [door | {"sill": 0.0, "head": 2.1, "hinge": 0} for door in doors]})
     assert (not [fault for fault in validate(plan) if "stand open" in fault]) == passes

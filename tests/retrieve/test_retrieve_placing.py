@@ -3,13 +3,15 @@
 import numpy as np
 import pytest
 from shapely import Polygon
+from shapely import box as rectangle
 
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.retrieve import Retrieve
-from apartgen.stages.retrieve import RetrieveConfig, run
-from apartgen.stages.retrieve.matching import placing
+from apartgen.stages.retrieve import RetrieveConfig, furniture, run
+from apartgen.stages.retrieve.matching import placing, supports
 from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things import tops
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 
@@ -243,3 +245,17 @@ def test_what_outgrew_its_box_goes_to_the_nearest_place_there_is() -> None:
     close = deep._replace(center=np.array([[0.46, 2.08, 0.5]]))
     moved = placing.grown(close, close, site, beside)
     assert moved is not None and moved.center[0] == pytest.approx([0.51, 1.98, 0.5])
+
+
+@pytest.mark.parametrize("wide, least, most", [(0.40, -0.01, 0.01), (0.48, -0.026, -0.004)])
+def test_what_is_wider_than_its_top_stands_away_from_the_wall(wide, least, most):
+    """A unit .45 m wide ends a centimetre before the wall: a microwave of .48 m would reach 5 mm into it."""
+    unit = furniture.build("kitchen_base", "shaker", (0.6, 0.45, 0.9), 1)
+    wall = 0.225 + 0.01
+    floor = rectangle(-1, -2, 1, wall)
+    under = supports.top(unit, Boxes(np.array([[0, 0, 0.45]]), np.array([[0.6, 0.45, 0.9]]), np.zeros(1)))
+    item = Boxes(np.array([[0.0, 0.0, 1.04]]), np.array([[0.36, wide, 0.28]]), np.zeros(1))
+    none = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
+    placed = supports.stand(item, under, none, floor)
+    assert placed is not None and least < placed.center[0, 1] < most
+    assert placed.center[0, 1] + wide / 2 <= wall + 1e-9

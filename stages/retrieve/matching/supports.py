@@ -62,13 +62,15 @@ def _covered(under: Top, item: Boxes) -> tuple[bool, float]:
 
 def stand(item: Boxes, under: Top, taken: Boxes, floor: Polygon) -> Boxes | None:
     """The item (1) on the top's level, as near as can be to where it was and clear of what stands there already; if
-    need be a little beyond the top's edge, as long as that is within the walls."""
-    reach = np.maximum((under.box.size[0, :2] - _turned(item, under)) / 2, 0)
+    need be a little beyond the top's edge, as what is wider stands anyhow, as long as that is within the walls."""
+    spare = (under.box.size[0, :2] - _turned(item, under)) / 2
+    reach = np.maximum(spare, 0)
     for far in (reach, np.maximum(reach, BEYOND)):
         for placed in _spots(item, under, far):
             level, carried = _covered(under, placed)
             clear = not taken.n or boxes.penetration(placed, taken).max() <= 1e-9
-            if level and carried > 0.6 and clear and (far is reach or floor.covers(boxes.footprints(placed)[0])):
+            within = (far is reach and (spare >= 0).all()) or floor.covers(boxes.footprints(placed)[0])
+            if level and carried > 0.6 and clear and within:
                 return placed
     return None
 
