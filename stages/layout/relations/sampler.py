@@ -31,6 +31,8 @@ LOOKS, LAST = 8, 40
 """Candidates whose ways are looked at before new ones are drawn, and where none will be."""
 YIELDS = frozenset({"armchair"})
 """What is left out rather than put where the table finds no place with its chairs."""
+LOUNGED_IN = kinds.EASY - kinds.BEDS | {"coffee_table", "side_table"}
+"""What a room where one sleeps is rather without than without a bed."""
 INSTEAD = {"double_bed": ("single_bed",)}
 """What serves where something needed finds no place at all."""
 SAME, ELSEWHERE = 0.05, 0.15
@@ -156,8 +158,10 @@ class Sampler:
         return again
 
     def _bare(self, name: str, contents: list[str]) -> list[str]:
-        """The contents without units that a run, or a bathroom, can do without, for what it cannot; what was asked for
-        stays."""
+        """The contents without what the room can do without, for what it cannot: units of a run or a bathroom, what one
+        lounges in for a bed; what was asked for stays."""
+        if kinds.basic(name) in kinds.BEDS:
+            return [other for other in contents if self.room.asked[other] or kinds.basic(other) not in LOUNGED_IN]
         if self.room.counted or name not in order.runs() | kinds.FIXTURES.keys():
             return contents
         return [other for other in contents if self.room.asked[other] or not runs.spare(other)]

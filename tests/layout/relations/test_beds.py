@@ -8,6 +8,9 @@ import numpy as np
 import pytest
 from rooms_for_tests import box, room
 
+from apartgen import planning, settings, steps
+from apartgen.stages import layout
+from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.relations import followers
 from apartgen.stages.layout.relations.beds import NARROW, narrower
 from apartgen.stages.layout.relations.sampler import Room, Sampler
@@ -40,3 +43,13 @@ def test_places_of_a_narrow_bed_are_dense_along_walls() -> None:
 @pytest.mark.parametrize("name, wide", [("single_bed", 1.65), ("double_bed", 1.4), ("sofa", 2.0)])
 def test_nothing_else_is_made_narrow(name: str, wide: float) -> None:
     assert not narrower(name, box((2.1, wide, 0.5), 0, 0)[None], room(4.0, 5.0).space)
+
+
+@pytest.mark.parametrize("name", ["0004347", "0005319"])
+def test_a_small_studio_is_rather_without_a_sofa_than_without_a_bed(name: str) -> None:
+    """Two of some thousand homes, in which the sofa had taken the last place for the bed."""
+    asked = settings.by_stage({}, ["svg"])["plan"].model_copy(update={"processes": 1})
+    plan, _ = planning.draw("a compact studio with a balcony", asked, 148000, name)
+    home = layout.run(plan, LayoutConfig(), steps.lane(148000, "layout", plan))
+    kinds_there = [o.category for o in home.objects if o.room == "living_room_1"]
+    assert kinds_there.count("double_bed") == 1
