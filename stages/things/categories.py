@@ -113,7 +113,7 @@ _ITS_OWN = ("name", "like", "serves", "synonyms", "called", "labels", "lineage")
 
 def _load() -> dict[str, Category]:
     """Our entries, then those of other packages, of which a faulty one is left out with a warning."""
-    table = read(tomllib.loads((Path(__file__).parent / "categories.toml").read_text(encoding="utf-8")), {})
+    table = _ours(Path(__file__).parent / "categories.toml")
     for plugin, rows in plugins.facts(GROUP):
         try:
             if alone := [name for name, row in rows.items() if isinstance(row, dict) and not row.get("like")]:
@@ -125,6 +125,14 @@ def _load() -> dict[str, Category]:
         except BadInput as error:
             log.warning("%s", plugin.told(f"{error}; its categories are left out"))
     return dict(sorted(table.items()))
+
+
+def _ours(file: Path) -> dict[str, Category]:
+    """The entries of a checkout's file, which a fault is told of."""
+    try:
+        return read(tomllib.loads(file.read_text(encoding="utf-8")), {})
+    except BadInput as error:
+        raise BadInput(f"{file.name}: {error}") from None
 
 
 def read(rows: dict[str, Any], known: dict[str, Category]) -> dict[str, Category]:
