@@ -28,6 +28,7 @@ _LARGE, _SMALL = (late(rf"\bthe (?:{words}) bed ?room\b") for words in ("big|big
 _SHARERS = late(r"\b(?:for |with )?(two|three|four|five|six|[2-6]) (?:[a-z-]+ )?(?:(?:flat|house|room)mates|friends|"
                 r"students|colleagues|tenants|adults|lodgers|nurses|trainees)\b")  # fmt: skip
 _EACH = re.compile(r"\b(?:each|every|all)(?: of)?(?: the)? bed ?rooms?\b|\bthe bed ?rooms\b")
+_ROOM = late(r"\b(?:living room|kitchen|study|dining room|bath ?room|hall(?:way)?|balcony|office|lounge)\b")
 _ROOMS_OF = "(?:bed ?room|room|bath ?room)"
 _GIVEN_UP = r"(?:won't|will not|shan't|are not going to|aren't going to) (?:have|want|need|be having)"
 _THING = (r"(?:desks?|piano|table|sofa|wardrobes?|beds?|cot|armchair|bookshel(?:f|ves)|bookcase|dresser|rug|television|"
@@ -70,11 +71,8 @@ def _son_and_daughter(found: re.Match[str]) -> str:
     return f"our {found[1]}'s bedroom is {found[2]} {first}. our {found[4]}'s bedroom is {found[5]} {second}"
 
 
-_ROOM = late(r"\b(?:living room|kitchen|study|dining room|bath ?room|hall(?:way)?|balcony|office|lounge)\b")
-
-
 def _no_door(found: re.Match[str]) -> str:
-    """`no door from it into my bedroom`, of the room that was spoken of first in what is said before."""
+    """`no door from it into my bedroom`, of the first room of the sentence before."""
     one = found["a"]
     if one == "it":
         parts = [_ROOM.search(part) for part in re.split(r"[.;]", found.string[: found.start()])]
@@ -163,9 +161,9 @@ _SAID = rules((
     # "my office is also the guest room", "the kids' rooms at opposite ends", "could the laundry be in the bathroom"
     (r"\b(?:my|our|the) ((?:home )?office|study|workroom) (?:is|should be|must be|will be) also (?:be )?(?:the|our|"
      r"an?) (?=guest (?:bed ?)?room)", r"a \1 also used as "),
-    (r"\b(?:so )?(?:please )?(?:put|place|keep|have) (?:their|the kids'?|the children's|the boys'|the girls'|the two) "
+    (r"\b(?:so )?(?:please )?(?:put|place|keep|have) (?:their|the kids'?|the children's|the boys'|the girls') "
      r"(?:bed ?)?rooms (?:at|on|in) (?:the )?opposite (?:ends|sides|corners)(?: of the (?:flat|house|home|apartment))?",
-     "the bedrooms are far from each other"),
+     "the kids' bedrooms are far from each other"),
     (r"\b(?:could|can|should|may|might) (?:the|our|my) laundry (?:be|go|stand) in the (bath ?room|kitchen|"
      r"hall(?:way)?)\b",
      r"a washing machine in the \1"),
@@ -175,9 +173,8 @@ _SAID = rules((
      r"?room| room)?(?!.*\bbed ?rooms\b)",
      "two kids rooms and a parents' bedroom"),
     # "I teach piano at home: the music room should be the first room when you come in"
-    (r"\b(?:i|she|he|we|they|who) (?:also )?(?:teach(?:es)?|plays?|practi[sc]es?|learns?) (?:the )?(?:piano|drums|"
-     r"violin|guitar|cello|trumpet)(?: (?:at home|a lot|every day|every evening|at night|in the evenings?))?(?: so|"
-     r"[:,;.])? ?", ""),
+    (r"\b(?:i|she|he|we|they|who) (?:also )?teach(?:es)? (?:the )?(?:piano|drums|violin|guitar|cello)(?: at home)?(?: "
+     r"so|[:,;.])? ?", ""),
     (r"\bthe first (?:room|door|one) (?:when|as|that) you (?:come in|enter|walk in|get in|see)\b", "near the entrance"),
     (r"[,;.]? ?(?:and )?(?:that's|thats|that is) (?:it|all)(?: we need| i need)?[ .!]*$", _nothing_else),
     # "between the kitchen and the living room, and both should be open to it"
