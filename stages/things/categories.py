@@ -111,9 +111,12 @@ _ITS_OWN = ("name", "like", "serves", "synonyms", "called", "labels", "lineage")
 """Facts that what is like a category does not take over from it."""
 
 
-def _load() -> dict[str, Category]:
+def _load(own: Path = Path(__file__).parent / "categories.toml") -> dict[str, Category]:
     """Our entries, then those of other packages, of which a faulty one is left out with a warning."""
-    table = _ours(Path(__file__).parent / "categories.toml")
+    try:
+        table = read(tomllib.loads(own.read_text(encoding="utf-8")), {})
+    except BadInput as error:
+        raise BadInput(f"{own.name}: {error}") from None
     for plugin, rows in plugins.facts(GROUP):
         try:
             if alone := [name for name, row in rows.items() if isinstance(row, dict) and not row.get("like")]:
@@ -125,14 +128,6 @@ def _load() -> dict[str, Category]:
         except BadInput as error:
             log.warning("%s", plugin.told(f"{error}; its categories are left out"))
     return dict(sorted(table.items()))
-
-
-def _ours(file: Path) -> dict[str, Category]:
-    """The entries of a checkout's file, which a fault is told of."""
-    try:
-        return read(tomllib.loads(file.read_text(encoding="utf-8")), {})
-    except BadInput as error:
-        raise BadInput(f"{file.name}: {error}") from None
 
 
 def read(rows: dict[str, Any], known: dict[str, Category]) -> dict[str, Category]:

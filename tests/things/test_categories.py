@@ -125,4 +125,4 @@ def test_a_fault_of_a_checkout_is_told_with_its_file(tmp_path):
     file = tmp_path / "categories.toml"
     file.write_text("[rack]\nsynonims = []\n", encoding="utf-8")
     with pytest.raises(BadInput, match=r"^categories\.toml: \[rack\] "):
-        categories._ours(file)
+        categories._load(file)
