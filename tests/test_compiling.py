@@ -16,7 +16,7 @@ def test_compiling_is_said_once(caplog):
 
 
 def test_linear_algebra_is_not_loaded_with_what_is_compiled_and_can_be():
-    """In a process of its own: .2 s of every command."""
+    """In a process of its own: .16 s of every command."""
     loaded = ("import sys, apartgen.stages.scene.lens; assert 'scipy.linalg' not in sys.modules;"
               "import scipy.linalg.cython_blas as blas; from numba.np.linalg import ensure_blas; ensure_blas();"
               "assert 'dgemm' in blas.__pyx_capi__")

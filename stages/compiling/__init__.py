@@ -18,7 +18,7 @@ _BLAS = "scipy.linalg.cython_blas"
 
 
 def _without_blas() -> None:
-    """What numba looks for SciPy's linear algebra for when it begins, .2 s of every command, is np.correlate, which no
+    """What numba looks for SciPy's linear algebra for when it begins, .16 s of every command, is np.correlate, which no
     compiled function has; products of matrices would look for it anew."""
     if _BLAS not in sys.modules:
         sys.modules[_BLAS] = None  # type: ignore[assignment]

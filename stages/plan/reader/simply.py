@@ -15,7 +15,7 @@ _ES_DOOR = r"(?:tener|tenga|tiene|haya)(?: una| ninguna)? puertas?(?: directa)? 
 
 _EVERYBODY = r"(?:(?:each|every) (?:one|person)|each(?: of (?:them|us))?|every(?:one|body))"
 _GETS = r"(?:gets?|has|have|needs?|wants?|should have|must have|will have)"
-_STANDS = (r"(?:(?:esta |queda |va )?(?:frente|enfrente|cerca|lejos|junto|al (?:lado|fondo|norte|sur|este|oeste))\b)")
+_STANDS = r"(?:(?:esta |queda |va )?(?:frente|enfrente|cerca|lejos|junto|al (?:lado|fondo|norte|sur|este|oeste))\b)"
 _TOGETHER = {"zweit": 2, "dritt": 3, "viert": 4, "funft": 5, "sechst": 6}
 
 
@@ -82,7 +82,7 @@ _SAID = rules((
     (r",? y que (?=(?:el|la|los|las) {es})", ". "),
     (r"(?P<a>\b(?:el|la) {es} {stands}[^.;,]*?), (?=(?:el|la) {es} {stands})", r"\g<a>. "),
     # "一室一厅，45平米左右", "不要三个卧室，两个就够了", "客厅是最大的房间"
-    (r"(?<!约)(?<!大概)(\d+(?:\.\d+)?) ?(?:平方米|平米|平|㎡|m2)(?:左右|上下)", r"约\1平米"),
+    (r"(?<!约)(?<!大概)(?<![\d.])(\d+(?:\.\d+)?) ?(?:平方米|平米|平|㎡|m2)(?:左右|上下)", r"约\1平米"),
     (r"([一二两三四五\d]室[一二两\d]厅),(?=约?\d+(?:\.\d+)?平米)", r"\1,面积"),
     (r"(?:不要|不用|不需要)[一两二三四五\d]([个间])(卧室|房间|卫生间|阳台),?(?:只要|要)?([一两二三四\d])[个间](?:就够了?|就行了?|"
      r"就可以了?|够了|就好)", r"\3\1\2"),

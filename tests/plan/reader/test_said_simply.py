@@ -127,6 +127,8 @@ THE_REST = [
     ("Dos dormitorios y un baño. El baño frente al dormitorio principal, la cocina cerca de la entrada.", "B2 H K L W",
      "opposite W1 B1, near K1 entrance, !opposite W1 K1"),
     ("一室一厅，45平米左右，开放式厨房", "B H K L W", "all=45, K1~L1"),
+    ("一室一厅，约45平米左右", "B H K L W", "all=45"),
+    ("大约120平米左右的三室两厅", "B3 D H K L W2", "all=120"),
     ("不要三个卧室，两个就够了，阳台连着主卧。", "B2 H K L W Y", "B1Y1"),
     ("三室两厅一卫，客厅是最大的房间。", "B3 D H K L W", "order L1 largest"),
 ]
