@@ -6,6 +6,7 @@ from apartgen.stages.plan.reader.as_typed import as_typed
 from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.bedded import bedded
 from apartgen.stages.plan.reader.characters import in_characters
+from apartgen.stages.plan.reader.commonly import commonly
 from apartgen.stages.plan.reader.counted_doors import doors_counted
 from apartgen.stages.plan.reader.doorside import beside_entrance
 from apartgen.stages.plan.reader.entered import entered
@@ -32,15 +33,18 @@ from apartgen.stages.plan.reader.several_areas import of_several
 from apartgen.stages.plan.reader.shared_baths import shared_by_others
 from apartgen.stages.plan.reader.simply import simply
 from apartgen.stages.plan.reader.straightened import straightened
+from apartgen.stages.plan.reader.there import whose_place
 from apartgen.stages.plan.reader.tokens import fold
 from apartgen.stages.plan.reader.turned import turned
 from apartgen.stages.plan.reader.unparted import unparted
 from apartgen.stages.plan.reader.ways import in_passing
+from apartgen.stages.plan.reader.whose import whose_rooms
 
 
 def in_known_words(prompt: str) -> str:
     """A prompt folded, with its clauses in such words."""
-    told = every_day(at_home(everywhere(for_whom_said(simply(lived(as_typed(without_false_friends(fold(prompt)))))))))
+    plain = whose_place(whose_rooms(commonly(without_false_friends(fold(prompt)))))
+    told = every_day(at_home(everywhere(for_whom_said(simply(lived(as_typed(plain)))))))
     told = beside_entrance(in_characters(in_one_room(told)))
     told = unparted(named_again(told_apart(instead_of(shared_by_others(told)))))
     told = inverted(advertised(itemized(only_ways(meant_of(told)))))

@@ -87,7 +87,7 @@ _SAID = rules((
     (r"\bmost (?:far|distant)(?: away)? from\b", "far from"),
     (r"\bmost (near|close)(?: to)?\b", "near"),
     # "bedroom are three", "bedroom is two, size is 13 m2 and 10 m2"
-    (r"\b(bed|bath)( ?)rooms? (?:is|are|:) ?(two|three|four|five|[2-5])(?= ?(?:[,.;)]|$| and ))", r"\3 \1\2rooms"),
+    (r"\b(bed|bath)( ?)rooms? (?:is|are|:) ?(two|three|four|five|[2-5])(?:{end}|(?= and ))", r"\3 \1\2rooms"),
     (r"(\b(?:two|three|four|[2-4]) (?:bed|bath) ?rooms)[,;:.]? ?(?:and |with )?(?:the |their |its )?(?:sizes?|areas?"
      r") (?:is |are |of |being |: ?)?"
      r"(?=\d)", r"\1 of "),

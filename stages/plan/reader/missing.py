@@ -60,7 +60,8 @@ def _presumed(said: Said) -> bool:
     new = {p.type for p in told if p.quantifier != Det.THE}
     furnished = bool(said.loose_objects) or any(p.objects for p in told)
     one = any(p.type == "bedroom" and p.count == 1 for p in told)
-    return furnished and one and any(p.type not in new for p in told)
+    limited = any(p.bounds for p in told)
+    return (furnished or limited) and one and any(p.type not in new for p in told)
 
 
 def add_missing_rooms(said: Said, home: Household, doors: Doors) -> None:

@@ -47,8 +47,8 @@ LEAST = (r"(?:at (?:the )?least|(?:no|not) (?:less|smaller|fewer) than|min(?:imu
 MOST = (r"(?:at (?:the )?most|(?:no|not) (?:more|larger|bigger|greater) than|max(?:imum|imal)?(?: of)?|up to)")
 UNIT = r"(?:m2|sqm|sq\.? ?m|square met(?:er|re)s?|sq\.? ?ft|sqft|square feet)"
 AMOUNT = r"\d+(?:[.,]\d+)?"
-END = r"(?= ?(?:[.,;:!?)\n]|$))"
-"""Where a clause may end."""
+END = r"(?= ?(?:(?<!\d)[.,]|[.,](?!\d)|[;:!?)\n]|$))"
+"""Where a clause may end; not within a number."""
 WORDS = {
     "hall": HALL, "outside": OUTSIDE, "room": ROOM, "kind": KIND, "the": rf"(?:the|my|our|both) {KIND}",
     "number": NUMBER, "several": SEVERAL, "young": YOUNG, "grown": GROWN, "must": MUST, "not": NOT, "has": HAS,

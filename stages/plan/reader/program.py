@@ -28,6 +28,7 @@ from apartgen.stages.plan.reader.requirements import requirements
 from apartgen.stages.plan.reader.shared_out import shared_out
 from apartgen.stages.plan.reader.sizes import room_areas
 from apartgen.stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.structured import in_sentences
 from apartgen.stages.plan.reader.style import style_of
 from apartgen.stages.plan.reader.unread import with_clauses
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
@@ -100,7 +101,7 @@ def bounded(prompt: str) -> Said:
         raise BadInput('the prompt is empty; name rooms, e.g. "two-bedroom flat"')
     if len(prompt) > LONGEST:
         raise BadInput(f"the prompt has {len(prompt)} characters; keep it below {LONGEST}")
-    prompt = ENDLESS.sub(lambda word: word[0][:100], prompt)
+    prompt = in_sentences(ENDLESS.sub(lambda word: word[0][:100], prompt))
     understood(prompt)
     said = parse(prompt)
     _counts_in_bounds(said)

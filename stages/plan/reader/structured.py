@@ -1,0 +1,78 @@
+"""Prompts that programs write: JSON, YAML-like `key: value` and `key=value` fields, told in plain sentences."""
+
+import json
+import re
+from collections import Counter
+from typing import Any
+
+from apartgen.stages.plan.reader.field_values import Unclear
+from apartgen.stages.plan.reader.fields_told import Fields
+
+_FIELD = re.compile(r"\s*([A-Za-z][\w. -]{0,40}?)\s*(:(?!=)|>=|<=|==?|>|<|≥|≤)\s*(.+?)\s*,?\s*")
+_INDENTED = re.compile(r"^\w[\w ]*:\s*\n\s+[\w\"'-].*", re.MULTILINE)
+"""Lines that belong to the key above them."""
+_BOUNDS = {">=": "at least", "≥": "at least", ">": "at least", "<=": "at most", "≤": "at most", "<": "at most"}
+
+
+def in_sentences(prompt: str) -> str:
+    """A prompt whose every field is understood as sentences, each other one as it is."""
+    text = prompt.strip()
+    try:
+        fields = _parsed(text) if text[:1] in ("{", "[") else _nested(text) if _INDENTED.search(text) else _lines(text)
+        if not fields:
+            return prompt
+        counting = Fields(Counter())
+        counting.flat(fields)
+        return Fields(counting.counts).flat(fields)
+    except (Unclear, RecursionError):
+        return prompt
+
+
+def _parsed(text: str) -> Any:
+    try:
+        return json.loads(text)
+    except ValueError:
+        return _nested(text)
+
+
+def _nested(text: str) -> Any:
+    """YAML, without the references by which a short text means a huge one."""
+    if re.search(r"[&*]\w", text):
+        return None
+    import yaml  # noqa: PLC0415 (20 ms, for few prompts)
+
+    try:
+        found = yaml.safe_load(text)
+    except (yaml.YAMLError, ValueError):
+        return None
+    return found if isinstance(found, dict | list) else None
+
+
+def _lines(text: str) -> list[Any] | None:
+    """`key: value` pairs, one a line or parted by `;` or `|`, or a table's rows; None of what is mostly sentences."""
+    if re.search(r"\|\s*:?--", text):
+        return _table(text.split("\n"))
+    parts = [
+        p
+        for p in re.split(r"\s*(?:[\n;|]|,(?=\s*[\w. -]{2,30}\s*=)|\s(?=[\w.]{2,40}[<>]?=))\s*", text)
+        if p.strip(" ,.")
+    ]
+    found = [_FIELD.fullmatch(p) for p in parts]
+    if len(parts) < 2 or sum(m is None for m in found) * 2 > len(parts):
+        return None
+    pairs = [(m[1], f"{_BOUNDS.get(m[2], '')} {m[3]}".strip(" .")) if m else ("", part.strip(" ."))
+             for m, part in zip(found, parts, strict=True)]  # fmt: skip
+    return pairs if not any(value.endswith(("?", "!")) or len(value.split()) > 12 for _, value in pairs) else None
+
+
+def _table(lines: list[str]) -> list[Any] | None:
+    """The rows of a Markdown table that is all of a prompt, by the names over their cells."""
+    rows = [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in lines if line.strip()]
+    if len(rows) < 3 or not all("|" in line for line in lines if line.strip()):
+        return None
+    head, _, *body = rows
+    names = [re.sub(r"[()\[\]]", "", name) for name in head]
+    return [
+        {"room": row[0]} | {n: c for n, c in zip(names[1:], row[1:], strict=False) if c not in ("", "-", "–")}
+        for row in body
+    ]
