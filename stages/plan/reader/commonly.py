@@ -1,5 +1,6 @@
 """Clauses that anybody writes, in those that the other rules know: what is far, where windows look, what was sold."""
 
+from apartgen.stages.plan.reader.patterns import Late
 from apartgen.stages.plan.reader.pieces import KIND, reworded, rules
 
 _ROOM = rf"(?:(?:the|my|our|his|her|their|[a-z]+'s) )?(?:own )?(?:{KIND}|bed ?room(?: \d)?|room)"
@@ -58,6 +59,53 @@ _SAID = rules((
      r"when|ago|and don't|and do not)| ?[.,;])", "did so"),
     (r"\b((?:work|play|job|lesson|stud)(?:s|ies|ing)?) (?:with|on|at|by) (?:the |an? |his |her |my )?(?:computer|"
      r"laptop|pc)s?\b", r"\1"),
+    # "the kitchen, so make it large", "a big kitchen, 18 m2 at least, with two ovens", "neither over 12 m2"
+    (r"(?P<said>\b(?P<a>the {kind})\b[^.;]{0,60}?)\bmake it (?=(?:large|big|small|huge|bright|wide|open)\b)",
+     r"\g<said>make \g<a> "),
+    (r"(?P<a>\b(?:an?|the) (?:[a-z]+ )?{kind}), (?P<n>{amount} ?{unit}) (?P<l>at (?:least|most))(?=, with )",
+     r"\g<a> of \g<l> \g<n>"),
+    (r",? neither (?:of them |one )?(?:over|above|larger than|bigger than|more than) (?P<n>{amount} ?{unit})",
+     r". each bedroom is at most \g<n>"),
+    # "not make door between kitchen and living room", "no door kitchen/living room", "nada de puerta entre", "tür
+    # zwischen"
+    (r"\b(?:do )?not make (?:an? |any )?doors? between\b", "no door between"),
+    (r"\bno doors? ({kind}) ?/ ?({kind})", r"no door between \1 and \2"),
+    (r"\bnada de puertas? entre\b", "ninguna puerta entre"),
+    # "oriented to the south and 5 x 4.5 m", "lejos de la cocina y de la entrada", "looks out west, the other one east"
+    (r"(?P<a>{a}) (?:is )?oriented to(?:wards)? the (?P<s>{compass}) and (?P<x>{amount} ?(?:x|by) ?{amount} ?m\b)",
+     r"\g<a> faces \g<s>. \g<a> measures \g<x>"),
+    (r"\b(?P<f>lejos|cerca) de (?P<a>(?:la|el) {es}) y de (?P<b>la entrada)\b", r"\g<f> de \g<a> y \g<f> de \g<b>"),
+    (r"\b(?P<a>{a}|mine|ours|hers|his) looks? out(?: to(?: the)?)? (?P<s>{compass}),? (?:and )?(?P<b>the other one|"
+     r"{a}|mine|ours|hers|his) (?:looks? out )?(?P<t>{compass})\b",
+     lambda found: f"{_either(found['a'])} faces {found['s']}. {_either(found['b'])} faces {found['t']}"),
+    (r"(?<=, )(?P<n>{amount} ?{unit})(?P<w>, with an? (?:single|double|bunk) bed)", r"\g<n> in total\g<w>"),
+    # "speisekammer, in die man von der kuche aus kommt"
+    (r"(?P<a>{de}),? in (?:die|den|das) man (?:direkt )?von (?:der|dem) (?P<b>{de})(?: aus)? (?:kommt|gelangt|geht|"
+     r"tritt)", r"\g<a> an der \g<b>"),
+    # "the other one for the grandchildren, with two single beds", "one bedroom with the bathroom opposite it"
+    (r"\bthe other (?:one|bed ?room)? ?(?:is )?for (?:the|our|my) [a-z]+,? with (?P<w>(?:an?|one|two|three|\d) "
+     r"[a-z ]+?){end}",
+     r"the other bedroom has \g<w>"),
+    (r"\b(one|a|the) (bed ?room) with the (bath ?room|kitchen|study) (opposite|next to|beside|near) it\b",
+     r"\1 \2. the \3 is \4 the \2"),
+    (r"\btwo bathrooms[:,] ours (?:straight |directly |right )?(?:off|in|inside|through) our bedroom",
+     "two bathrooms: one off our bedroom"),
+    # "small room for wash the clothes, you go in from kitchen", "a cabinet for shoes", "Accessibility study. One
+    # bedroom …"
+    (r"\broom (?:for|to) wash(?:ing)? (?:the |our |my )?(?:clothes|laundry)(?:,? (?:that )?(?:you|i|we|one) (?:go|get|"
+     r"enter)s?(?: in)?(?: to it)? from (?:the )?(?P<k>{kind}))?",
+     lambda found: "laundry room" + (f" reached from the {found['k']}" if found["k"] else "")),
+    (r"\b(?:cabinet|cupboard) for (?:the |my |our )?shoes\b", "shoe cabinet"),
+    (r"^(?:[a-z-]+ ){0,2}(?:accessibility|usability|feasibility|pilot|user|lighting|sleep|energy|noise|privacy|"
+     r"housing) study(?=[.:] )",
+     "research"),
+    # "un bureau avec une porte sur le couloir mais pas sur le salon", "el salón, el doble de grande que la cocina y
+    # con salida a la terraza"
+    (r"\bune porte sur (?:le |la )?({fr}) mais pas sur (?:le |la )?({fr})",
+     r"une porte sur le \1 et sans porte vers le \2"),
+    (r"(?P<a>\b(?:el|la) (?:{es})), (?P<x>el doble de grande que [^.;,]*?) y con (?P<y>[^.;]*)",
+     r"\g<a>, \g<x>. \g<a> con \g<y>"),
+    (r"(?P<n>[两二三四])个孩子,?(?:孩子)?们?一人一间(?:房间?|卧室)?", r"\g<n>个孩子各有一间房"),
     # "the guest room can be small", "make the kitchen large, with an island, and open to the living room"
     (r"(?P<a>{a}) (?:can|may|could) be (?:quite |rather |very |fairly )?(small|tiny|little)\b", r"\g<a> is small"),
     (r"\bmake (?P<a>{a}) (?P<s>large|big|small|huge|spacious),? with (?P<w>[^.;]*?),? and (?:have it |make it )?open "
@@ -69,11 +117,51 @@ _SAID = rules((
     # "um sechs" is no number of rooms
     (r"\b(?:um|gegen|bis|ab) {hours}(?: uhr)?(?: (?:fruh|morgens|abends|nachts))?(?= (?:mit|in|im|auf|zu|am|an|und|"
      r"das|der|die|den)\b| ?[.,;])", ""),
-    # "Bedrooms are two, second is for my son", "children is three"
+    # "children is three"
     (r"\bchildren (?:is|are) ({number})\b", r"\1 children"),
+    # "18 m2 is plenty for the living room", "a room with two bunk beds", "each with a wardrobe, and no door between
+    # the two"
+    (r"\b(?P<n>{amount} ?{unit}) (?:is|are|will be|would be) (?:plenty|enough|fine|sufficient|okay|ok) for "
+     r"(?P<a>{a}){end}",
+     r"\g<a> is \g<n>"),
+    (r"\b(an?|one|another) room with (?=(?:an?|one|two|three|four|\d) (?:bunk|single|double|twin) beds?\b)",
+     r"\1 bedroom with "),
+    (r"(?P<a>\b(?:bed ?)?room for [^.;]{1,40}? and one for [^.,;]{1,40}), each with (?P<w>an? [a-z]+)(?=[,.;]|$| and)",
+     r"\g<a>. each bedroom has \g<w>. "),
+    (r"(?P<b>\b(?:(?:two|both|the) bed ?rooms|each bed ?room)\b[^.;]*?\b(?:with |and )?no door between )(?:the two|"
+     r"them)(?: of them)?{end}",
+     r"\g<b>the two bedrooms"),
+    # "you should get to it from my bedroom, not from the living room", of a balcony
+    (r"(?P<b>\b(?:balcony|terrace)\b[^.;]*[.;] ?)(?:i|you|we|one) (?:{must} |want to |would like to |'d like to "
+     r")?(?:get|go|step|walk|come) (?:on ?to|to|in ?to|out on) it from (?P<a>{a}),? (?:and )?not (?:from )?(?P<c>{a})",
+     r"\g<b>the balcony is reached from \g<a> and not from \g<c>"),
+    (r"\bauf (?:den|einen) balkon (?:mochte|will|soll|kann|wurde) (?:ich|man|wir) vom (?P<a>{de})(?: aus)? (?:gern "
+     r")?(?:treten|gehen|kommen|gelangen)(?: konnen)?,? (?:und )?nicht vom (?P<b>{de})",
+     r"der balkon geht vom \g<a> ab und hat keine tur zum \g<b>"),
+    # "zwei Kinder, und jedes soll sein eigenes Zimmer bekommen"
+    (r"(?P<n>zwei|drei|vier) (?P<k>kinder|tochtern?|sohnen?|jungs|teenager)\b[,:;.]? (?:und )?jede[sr]?(?P<v> (?:soll|"
+     r"bekommt|braucht|hat|will|mochte|sollte))? (?:sein|ihr)(?: eigenes)? zimmer(?: haben| bekommen)?",
+     r"\g<n> \g<k>, jedes\g<v> ein eigenes zimmer bekommen"),
+    # "3间卧室", "三卧一卫"
+    (r"(?<![\d.a-z])(?<!\d,)(?P<n>[1-9])(?=[间个张把台盏盆卧卫居厨])",
+     lambda found: "零一两三四五六七八九"[int(found["n"])]),
+    (r"(?P<n>[一二两三四五六])卧(?=[一二两三1-9,.;]|$|带|朝)", r"\g<n>间卧室"),
+    (r"(?P<n>[一两二三])厨(?!房)", r"\g<n>个厨房"),
 ), a=_ROOM, compass=_COMPASS, come=_COME_IN, out=_OUT, hours=_HOURS, work=_WORK, gone=_GONE, home=_HOME)  # fmt: skip
 
 
+def _either(room: str) -> str:
+    """`the other one`, `mine` as bedrooms."""
+    return {"the other one": "bedroom 2", "mine": "bedroom 1", "ours": "bedroom 1"}.get(room, room)
+
+
+_ENOUGH = Late(
+    r"(?:^|(?<=[.;,!] ))(?:just |only )?(?:one|a single) bed ?room (?:is|will be|would be) "
+    r"(?:enough|plenty|fine|all i need)\b[.!]?"
+)
+
+
 def commonly(text: str) -> str:
-    """A folded text with such clauses reworded."""
-    return reworded(text, _SAID)
+    """A folded text with such clauses reworded; `one bedroom is enough` is said first, as it is of all that is told."""
+    said = reworded(text, _SAID)
+    return f"a one-bedroom flat. {_ENOUGH.sub('', said).strip()}" if _ENOUGH.search(said) else said

@@ -43,7 +43,8 @@ def room(name: str) -> tuple[str, str] | None:
     name, number = found[1], found[2] or ""
     name = {"bed": "bedroom", "beds": "bedrooms", "bath": "bathroom", "baths": "bathrooms", "living": "living room",
             "dining": "dining room", "half baths": "separate toilets", "half bath": "separate toilet",
-            "ensuite": "", "en suite": ""}.get(name, name)  # fmt: skip
+            "ensuite": "", "en suite": "", "master": "master bedroom",
+            "main": "main bedroom"}.get(name, name)  # fmt: skip
     for reading in read_lexicon().entries.get(tuple(name.split()) or ("",)) or ():
         if reading.kind == "room":
             return (_singular(name) if reading.plural else name), number

@@ -120,8 +120,8 @@ class Fields(Sentences):
                 self.statement(part)
         elif key in WRAP or (not subject and key in HOME and isinstance(value, dict | list)):
             self.fields(subject, value)
-        elif key in RELATIONS:
-            self.relation(subject, RELATIONS[key], value)
+        elif key in RELATIONS or (key == "doors" and isinstance(value, list | dict)):
+            self.relation(subject, RELATIONS.get(key, "has a door to"), value)
         elif key in DIRECTION:
             self.each(subject, value, lambda who, to: self.place(who, to, faces=DIRECTION[key]))
         elif key in THINGS:
@@ -188,6 +188,7 @@ class Fields(Sentences):
         """A room's key: how many there are, what is said of it or of each."""
         kind, number = found
         subject = f"{kind} {number}".strip()
+        told_apart = kind.endswith(" bedroom") and self.known["bedroom"] > 0  # "bedrooms: 3 … master: 15 m2"
         if number:
             self.counts[kind] = max(self.counts[kind], int(number))
         if isinstance(value, bool | int | float) or (isinstance(value, str) and not number and whole(value)):
@@ -195,7 +196,9 @@ class Fields(Sentences):
         if isinstance(value, dict):
             count = next((v for k, v in value.items() if words(k) in COUNT), None)
             several = isinstance(count, int) and count > 1
-            self.counts[kind] = count if isinstance(count, int) else self.counts[kind] or int(kind not in USUAL)
+            self.counts[kind] = (
+                count if isinstance(count, int) else self.counts[kind] or int(kind not in USUAL and not told_apart)
+            )
             return self.fields(
                 f"each {kind}" if several else subject, {k: v for k, v in value.items() if words(k) not in COUNT}
             )
@@ -213,7 +216,7 @@ class Fields(Sentences):
             return None
         if kind in OF_BEDROOMS and self.is_room(str(value)):
             return self.say(f"the {self.other(str(value))} has a {kind}")
-        if not number and kind not in USUAL:  # of usual rooms it is no list: others are there, too
+        if not number and not told_apart and kind not in USUAL:  # of usual rooms it is no list: others are there, too
             self.counts[kind] = self.counts[kind] or 1
         for part in re.split(r",\s*(?!\d)", str(value)):
             self.phrase(subject, part)
@@ -226,6 +229,9 @@ class Fields(Sentences):
         kind = re.sub(r" \d+$", "", subject)
         if whole(text) is not None:
             return self.count(kind, text)
+        if counted := re.fullmatch(r"(\d{1,2}) \(?(?:one|1|two|2) (?:is |are )?(?:en ?suite|ensuite)", text):
+            self.count(kind, counted[1])
+            return self.ensuite("", value=1)
         for size in range(min(4, len(text.split())), 0, -1):
             key, rest = " ".join(text.split()[:size]), " ".join(text.split()[size:])
             if key in RELATIONS and rest:
@@ -280,6 +286,8 @@ class Fields(Sentences):
         """`{type: adjacent, rooms: [a, b]}`, `{adjacent: [a, b]}`."""
         named = {words(k): v for k, v in fields.items()}
         kind = next((words(named[k]) for k in ("type", "kind", "relation", "constraint") if k in named), None)
+        if kind is not None and "room" in named and "value" in named and kind not in RELATIONS:
+            return self.field(self.other(named["room"]), kind, named["value"])
         if "room" in named and kind not in RELATIONS:
             return self.fields(self.other(named["room"]), {k: v for k, v in fields.items() if words(k) != "room"})
         if kind not in RELATIONS:

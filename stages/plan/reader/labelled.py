@@ -17,6 +17,8 @@ WHOSE = (("boy", "son"), ("girl", "daughter"), ("twin",), ("bab", "nursery", "to
          ("grandm", "granny", "nan"), ("grandf", "grandpa"), ("mother", "mum", "mom", "madre"),
          ("father", "dad", "padre"))  # fmt: skip
 """Words of people whose rooms are not one another's."""
+RELATIVES = ("儿子", "女儿", "孩子", "老人", "父母", "爸", "妈", "爷", "奶", "婆", "公公", "宝宝", "男孩", "女孩")
+"""Whose room is told without `的`: `儿子房间`."""
 GROWN = 5
 """From here on they are no children."""
 
@@ -115,7 +117,11 @@ def _among_known(phrase: RoomPhrase, labels: set[Trait], free: list[Entity], tot
     bare = (
         phrase.quantifier == Det.BARE
         and phrase.count is None
-        and (phrase.text == "master" or bool(phrase.owned or phrase.areas or phrase.objects) or phrase.factor != 1.0)
+        and (
+            phrase.text in ("master", "主 卧", "主 卧 室")
+            or bool(phrase.owned or phrase.areas or phrase.objects)
+            or phrase.factor != 1.0
+        )
     )
     counted = len([e for e in free if e.counted])
     attribute = Trait.MASTER in labels and bare and counted > 1
@@ -126,7 +132,8 @@ def _among_known(phrase: RoomPhrase, labels: set[Trait], free: list[Entity], tot
 def _one_of_counted(home: "Household", phrase: RoomPhrase, free: list[Entity]) -> bool:
     """`three bedrooms. Grandma's bedroom is next to the bath`: of whose room more is said, it is one of those."""
     whose = phrase.quantifier == Det.BARE and phrase.count is None and _owned(phrase.text)
-    return whose and bool({id(phrase)} & (home.mentions | home.asked)) and len([e for e in free if e.counted]) > 1
+    told = bool({id(phrase)} & (home.mentions | home.asked)) or (bool(phrase.objects) and not phrase.text.isascii())
+    return whose and told and len([e for e in free if e.counted]) > 1
 
 
 def _told_off_before(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[Entity]:
@@ -139,7 +146,12 @@ def _told_off_before(home: "Household", phrase: RoomPhrase, labels: set[Trait]) 
 
 def _owned(text: str) -> bool:
     """Whether a room is somebody's: `grandma's bedroom`, `爷爷奶奶的卧室`."""
-    return "'s " in text or "的" in text
+    return "'s " in text or "的" in text or _told_in_chinese(text)
+
+
+def _told_in_chinese(text: str) -> bool:
+    plain = text.replace(" ", "")
+    return any(plain.startswith(word) for word in RELATIVES)
 
 
 def _counted(free: list[Entity]) -> bool:

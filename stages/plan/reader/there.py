@@ -3,12 +3,12 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import Late
-from apartgen.stages.plan.reader.pieces import KIND, MUST
+from apartgen.stages.plan.reader.pieces import AMOUNT, KIND, MUST, UNIT
 
 _NAMED = rf"(?:(?:the|my|our|an?|one|his|her|their) )?(?:own )?(?:{KIND}|bed ?room \d)"
 _ROOM = Late(rf"(?P<at>\b(?:(?:next|close|adjacent|door|one|opposite|belong(?:s|ing)?) to|beside|near|off|from|"
              rf"opposite|behind|of|into|to|through|than) )?\b(?P<room>{_NAMED})\b(?!'s)")  # fmt: skip
-_THERE = Late(r"(?<!open )(?<!opens )(?<!leads )(?<!go )(?<!get )(?<!goes )\b(?:in|inside) "
+_THERE = Late(r"(?<!open )(?<!opens )(?<!leads )\b(?:in|inside) "
               r"(?:there|it|that one|this one)\b(?! (?:is|are|must|should|has|will|was|can))|"
               r"(?<=[a-z] )\bon it(?= ?(?:[.,;]|$))")  # fmt: skip
 _POSSESSED = Late(r"\b(?:mine|hers|ours|theirs|his (?=can|should|must|is|has|needs))\b")
@@ -28,11 +28,53 @@ _BOTH = Late(
 )
 
 
+_ENTERED = Late(
+    r"(?P<a>(?:an? |one |the )?(?:little |small |big )?(?:pantry|larder|storage(?: room)?|store ?room|"
+    r"utility(?: room)?|laundry(?: room)?|"
+    r"closet|balcony|terrace))(?: for [a-z]+)?,? (?:that |which )?(?:you|i|we|one) (?:can |could |should )?(?:enter|"
+    r"reach|get into|go into|get to)s?(?: straight| directly)? from (?P<b>it|there)\b"
+)
+_DOOR_THERE = Late(
+    rf"(?P<x>(?P<b>{_NAMED})(?:[^.;]*?)) (?:is |are )?(?P<by>{_BESIDE}) (?P<a>{_NAMED})[,.;] ?(?:and )?between "
+    rf"(?:them |the two |it )?(?:there )?"
+    r"(?:is|should be|must be) (?:an? |one )?door\b"
+)
+_OPEN_TO_IT = Late(rf"(?P<a>{_NAMED})\b(?P<x>[^.;]*?) and (?P<k>the kitchen) is open to it\b")
+_ITS_WINDOW = Late(
+    rf"(?P<a>{_NAMED})\b(?P<x>[^.;]*?),? (?:and |with )its windows? (?:should |must |has to |have to )?(?:facing|"
+    rf"looking|looks?|faces?|to|towards|"
+    r"oriented)(?: to(?:wards)?)?(?: the)? (?P<s>(?:north|south)(?:[ -]?(?:east|west))?|east|west)\b"
+)
+_UNDER = Late(rf"(?P<a>{_NAMED})\b(?P<x>[^.;]*?); ?keep it (?P<l>under|below|above|over) (?P<n>{AMOUNT} ?{UNIT})")
+
+
 def whose_place(text: str) -> str:
     """A folded text with `in there` as in the room that is meant, `a door between the two` with both named."""
+    text = _ENTERED.sub(_entered, text)
+    text = _DOOR_THERE.sub(r"\g<x> is \g<by> \g<a>. \g<b> has a door to \g<a>", text)
+    text = _OPEN_TO_IT.sub(r"\g<a>\g<x>. \g<k> is open to the living room", text) if "living room" in text else text
+    text = _ITS_WINDOW.sub(r"\g<a>\g<x>. \g<a> faces \g<s>", text)
+    text = _UNDER.sub(
+        lambda m: (
+            f"{m['a']}{m['x']}. {_the(m['a'])} is at {'most' if m['l'] in ('under', 'below') else 'least'} {m['n']}"
+        ),
+        text,
+    )
     text = _BOTH.sub(r"a door to \g<a> and a door to \g<b>", text)
     text = _TWO.sub(_door_between, text) if "door between" in text else text
     return _THERE.sub(_place, text) if _THERE.search(text) else text
+
+
+def _the(room: str) -> str:
+    return re.sub(r"^(?:an?|one) ", "the ", room)
+
+
+def _entered(found: re.Match[str]) -> str:
+    """`the kitchen needs an island and a pantry you enter from it`: reached from the first room that is no landmark."""
+    before = found.string[: found.start()]
+    ends = [m.end() for m in _SENTENCE.finditer(before)]
+    here = _rooms(before[ends[-1] if ends else 0 :])
+    return f"{found['a']} reached from {_the(here[0])}" if here else found.group()
 
 
 def _door_between(found: re.Match[str]) -> str:
@@ -43,11 +85,11 @@ def _door_between(found: re.Match[str]) -> str:
         if not before:
             return found.group()
         b = before[-1]
-    bare = re.sub(r"^(?:an?|one) ", "the ", a)
+    bare = _the(a)
     hall = f" and a door to the {found['hall']}" if found["hall"] else ""
     if found["also"] and not found["hall"]:
         hall = found["also"]
-    other = re.sub(r"^(?:an?|one) ", "the ", b)
+    other = _the(b)
     return f"{a} next to {other}. {bare} has a door to {other}{hall}"
 
 
@@ -68,7 +110,7 @@ def _place(found: re.Match[str]) -> str:
         if told is None:
             return found.group()
         room = told[0]
-    return f"{preposition} {re.sub(r'^(?:an?|one) ', 'the ', room)}"
+    return f"{preposition} {_the(room)}"
 
 
 def _rooms(sentence: str) -> list[str]:

@@ -59,6 +59,41 @@ _LABELLED = Late(
 _WE = Late(r"\b(?:i|me|my|we|us|our|mine|ours|i'm|we're|i've|we've)\b")
 
 
+_ABROAD = {
+    "schlafzimmer": (
+        Late(r"\b(?:mein(?:e[mns]?|s)?|unser(?:e[mns]?|s)?) (?:eigene[ns]? )?(?:schlaf)?zimmer\b|"
+             r"\b(?:mein(?:e[mrs]|s)|unser(?:e[mrs]))\b"
+             r"(?= ?(?:[.,;]|$| (?:liegen|sein|ist|soll|kann|darf|muss|und)\b))"),
+        Late(r"\b(?:ihr|sein)(?:e[mns]?|s)? (?:schlaf)?zimmer\b|\b(?:ihr(?:e[ms])|sein(?:e[ms]))\b"
+             r"(?= ?(?:[.,;]|$| (?:liegen|sein|ist|soll|kann|darf|muss|und)\b))"),
+        Late(r"\b(?:\d|ein|zwei|drei|vier|funf)(?:es|e)? (?:schlaf)?zimmer|zimmer-wohnung|\bjede"),
+    ),
+    "chambre": (
+        Late(r"\b(?:ma|notre) (?:propre )?chambre\b|\bla (?:mienne|notre)\b"),
+        Late(r"\b(?:sa|leur) (?:propre )?chambre\b|\bla (?:sienne|leur)\b"),
+        Late(r"\b(?:\d|une|deux|trois|quatre|cinq) chambres?\b|\bt\d\b|\bchacune?\b"),
+    ),
+    "dormitorio": (
+        Late(r"\b(?:mi|nuestr[oa]) (?:propi[oa] )?(?:cuarto|dormitorio|habitacion)\b|"
+             r"\b(?:el|la) (?:mi[oa]|nuestr[oa])\b"),
+        Late(r"(?<!con )\bsu (?:propi[oa] )?(?:cuarto|dormitorio|habitacion)\b|\b(?:el|la) suy[oa]\b"),
+        Late(r"\b(?:\d|un|una|dos|tres|cuatro|cinco) (?:cuartos?|dormitorios?|habitacion(?:es)?)\b"),
+    ),
+}  # fmt: skip
+"""By the word for a bedroom: what is the speakers', what is the other's, what counts bedrooms."""
+_PEOPLE_ABROAD = {
+    "schlafzimmer"
+    : Late(r"\b(?:schwieger|gross)?(?:mutter|vater)\b|\b(?:oma|opa|tochter|sohn|bruder|schwester|mitbewohner(?:in)?|"
+                         r"kind|baby|tante|onkel|freund(?:in)?|zwillinge|eltern|jungs?|kleinen?)\b"),
+    "chambre"
+    : Late(r"\b(?:belle-)?(?:grand-)?(?:mere|pere)\b|\b(?:fils|fille|frere|soeur|coloc(?:ataire)?|bebe|"
+                    r"cousine?|tante|oncle|ami|amie|parents|enfants?|ados?|jumeaux)\b"),
+    "dormitorio"
+    : Late(r"\b(?:madre|padre|abuel[oa]|suegr[oa]|hij[oa]s?|herman[oa]|prim[oa]|companer[oa]|amig[oa]|bebe|"
+                       r"nin[oa]s?|padres|ti[oa]|gemelos)\b"),
+}  # fmt: skip
+
+
 @dataclass
 class _Person:
     """Somebody told of: what `she`, `he` or `they` may mean."""
@@ -72,6 +107,9 @@ class _Person:
 
 def whose_rooms(text: str) -> str:
     """A folded English text with the bedrooms of those who are told of by their numbers, where all are clear."""
+    for bedroom, (ours, theirs, counts) in _ABROAD.items():
+        if theirs.search(text):
+            text = _of_two(text, bedroom, ours, theirs, counts)
     owned = list(_WHOSE.finditer(text))
     others = [m for m in owned if (m["whose"] or m["alone"] or "his") in ("his", "her", "their", "hers", "theirs")]
     if not others or _LABELLED.search(text) or not _WE.search(text) or _ASSIGNED.search(text):
@@ -90,7 +128,22 @@ def whose_rooms(text: str) -> str:
     said = "".join([*told, text[at:]])
     if _COUNT.search(text):
         return said
-    return f"{len(order) + ('' not in order)} bedrooms. {said}"
+    return f"{len(order)} bedrooms. {said}"
+
+
+def _of_two(text: str, bedroom: str, ours: Late, theirs: Late, counts: Late) -> str:
+    """`sa chambre … la mienne` where but one other person is told of: the speakers' bedroom and that of the other."""
+    text = re.sub(r"\b(de|a)l (?=(?:mi|suy|nuestr)[oa]\b)", r"\1 el ", text) if bedroom == "dormitorio" else text
+    others = {m.group() for m in _PEOPLE_ABROAD[bedroom].finditer(text)}
+    if not ours.search(text) or len(others) != 1:
+        return text
+    text = re.sub(
+        r",? (?:cada un[oa] con su (?:propi[oa] )?(?:cuarto|dormitorio|habitacion)|chacune? (?:a )?sa chambre)\b",
+        "",
+        text,
+    )
+    said = theirs.sub(f"{bedroom} 2", ours.sub(f"{bedroom} 1", text))
+    return said if counts.search(text) else f"2 {bedroom}{'' if bedroom == 'schlafzimmer' else 's'}. {said}"
 
 
 def _resolved(text: str, owned: list[re.Match[str]]) -> tuple[list[str | None] | None, dict[str, int]]:
@@ -112,9 +165,10 @@ def _resolved(text: str, owned: list[re.Match[str]]) -> tuple[list[str | None] |
         name = "" if person.spouse and not apart else person.word
         out.append(name)
     named = list(dict.fromkeys(name for name in out if name is not None))
+    named = ["", *(name for name in named if name)]  # the first bedroom is theirs whose the home is, or their parents'
     named.sort(key=lambda name: "parents" not in name)
     housed = {p.word for _, p in people if not p.spouse or apart}
-    told = len(named) > 1 and housed == set(named) - {""}
+    told = len(set(out) - {None}) > 1 and housed == set(named) - {""}
     return (out, {name: k for k, name in enumerate(named, 1)}) if told else (None, {})
 
 

@@ -10,14 +10,14 @@ from apartgen.stages.plan.reader import read
 
 WHOSE = [
     ("My husband snores. His room should be as far from mine as the flat allows, and the bathroom next to mine.",
-     "B2 H K L W", "apart B1 B2, adjacent W1 B2"),
+     "B2 H K L W", "apart B2 B1, adjacent W1 B1"),
     ("My wife and I are taking in Grandma. Her bedroom must be next to the bathroom. Ours can go anywhere.",
-     "B2 H K L W", "adjacent B1 W1, !adjacent B2 W1"),
+     "B2 H K L W", "adjacent B2 W1, !adjacent B1 W1"),
     ("Gran is coming to live with my wife, our son and me. Her room should be near the entrance. Our boy gets his own "
-     "room.", "B3 H K L W2", "near B1 entrance"),
+     "room.", "B3 H K L W2", "near B2 entrance"),
     ("There's my partner and me, a teenage son, and my partner's mother. Keep her room away from the living room. "
-     "His can be right beside it.", "B3 H K L W2", "apart B1 L1, adjacent B2 B1"),
-    ("My son is fourteen, so keep his room away from mine. One bathroom.", "B2 H K L W", "apart B1 B2"),
+     "His can be right beside it.", "B3 H K L W2", "apart B2 L1, adjacent B3 B2"),
+    ("My son is fourteen, so keep his room away from mine. One bathroom.", "B2 H K L W", "apart B2 B1"),
     ("My daughter has her desk in the study; my sister sleeps in the second bedroom. Two bedrooms.", "B2 H K L S W",
      "S1 has 1 desk"),
 ]  # fmt: skip
@@ -27,8 +27,8 @@ THERE = [
     ("One bedroom, and a utility room close to the front door, with a shower in it.", "B H K L U W", "U1 has 1 shower"),
     ("One bedroom. The balcony must face south. A small table and two chairs on it.", "B H K L W Y",
      "Y1 has 2 balcony_chair, Y1 has 1 balcony_table"),
-    ("A flat with one bedroom and a study next to my bedroom. A door between the two would be great, but you should be able to get "
-     "in from the hall too.", "B H K L S W", "B1S1, H1S1"),
+    ("A flat with one bedroom and a study next to my bedroom. A door between the two would be great, but you should "
+     "be able to get in from the hall too.", "B H K L S W", "B1S1, H1S1"),
     ("A flat with one bedroom. Bathroom with a door from the bedroom in addition to the one from the hall.",
      "B H K L W", "B1W1, H1W1"),
 ]  # fmt: skip

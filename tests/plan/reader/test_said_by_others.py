@@ -32,7 +32,7 @@ SENTENCES = [
     ("Dos dormitorios. El baño está enfrente de la cocina.", "B2 H K L W", "opposite W1 K1, !adjacent W1 K1"),
     ("A flat with two bedrooms. A lift opens into the hall.", "B2 H K L W", "unread lift"),
     ("Flat for me and my aunt. Her room must be next to the bathroom, my room next to the kitchen.", "B2 H K L W",
-     "adjacent B1 W1, adjacent B2 K1"),
+     "adjacent B2 W1, adjacent B1 K1"),
     ("Bedrooms of 14, 12 and 10 m². The 10 m² bedroom is next to the kitchen.", "B3 H K L W2", "adjacent B3 K1"),
     ("The kitchen and the study should not be adjacent. Two bedrooms.", "B2 H K L S W", "apart K1 S1"),
     ("The study and the bathroom must be next to each other. Two bedrooms.", "B2 H K L S W", "adjacent S1 W1"),
