@@ -5,7 +5,7 @@ import re
 from apartgen.stages.plan.reader.patterns import Late
 from apartgen.stages.plan.reader.pieces import AMOUNT, KIND, MUST, UNIT
 
-_NAMED = rf"(?:(?:the|my|our|an?|one|his|her|their) )?(?:own )?(?:{KIND}|bed ?room \d)"
+_NAMED = rf"(?:(?:the|my|our|an?|one|his|her|their) )?(?:[a-z]+'s )?(?:own )?(?:{KIND}|(?:bed ?)?room(?: \d)?)"
 _ROOM = Late(rf"(?P<at>\b(?:(?:next|close|adjacent|door|one|opposite|belong(?:s|ing)?) to|beside|near|off|from|"
              rf"opposite|behind|of|into|to|through|than) )?\b(?P<room>{_NAMED})\b(?!'s)")  # fmt: skip
 _THERE = Late(r"(?<!open )(?<!opens )(?<!leads )\b(?:in|inside) "
@@ -116,4 +116,4 @@ def _place(found: re.Match[str]) -> str:
 def _rooms(sentence: str) -> list[str]:
     """Rooms that a sentence speaks of, without those that only say where."""
     found = list(_ROOM.finditer(sentence))
-    return [m["room"] for m in found if not m["at"]]
+    return [m["room"] for m in found if not m["at"] and not m["room"].endswith("rooms")]

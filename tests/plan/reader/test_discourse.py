@@ -22,6 +22,7 @@ WHOSE = [
      "S1 has 1 desk"),
 ]  # fmt: skip
 THERE = [
+    ("Two bedrooms. The baby's room is small, and we need a crib in it.", "B2 H K L W", "B2 has 1 cot, !B1 has 1 cot"),
     ("Our son gets the other bedroom, and he'd love a desk in there. Two bedrooms.", "B2 H K L W",
      "B2 has 1 desk, !L1 has 1 desk"),
     ("One bedroom, and a utility room close to the front door, with a shower in it.", "B H K L U W", "U1 has 1 shower"),
