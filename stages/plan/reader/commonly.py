@@ -106,6 +106,39 @@ _SAID = rules((
     (r"(?P<a>\b(?:el|la) (?:{es})), (?P<x>el doble de grande que [^.;,]*?) y con (?P<y>[^.;]*)",
      r"\g<a>, \g<x>. \g<a> con \g<y>"),
     (r"(?P<n>[两二三四])个孩子,?(?:孩子)?们?一人一间(?:房间?|卧室)?", r"\g<n>个孩子各有一间房"),
+    # "one bathroom is plenty, but with a bath in it", "the kitchen is where I spend my day: at least 18 m2", "eating
+    # on the sofa"
+    (r"\bwith (?:a|one) bath in (?:it|the bath ?room)\b", "with a bathtub in the bathroom"),
+    (r"(?P<a>\b(?:the|my|our) {kind}) is where [^:;.]*?: (?P<l>(?:at (?:least|most)|no (?:less|more) than) {amount} "
+     r"?{unit})", r"\g<a> is \g<l>"),
+    (r"\b(eating|sleeping|working|sitting|lying|studying) (?:on|at|in|off) (?:the|a|my|our) (?!kitchen|bed ?room|"
+     r"living|dining|study)[a-z]+(?= ?[.,:;])",
+     r"\1"),
+    (r",? or (?:else )?the [a-z]+ (?:will|would) [^.;,]*", ""),
+    # "a terrace I can step onto from both the living room and the bedroom", "two studies then, far apart"
+    (r"(?P<b>\b(?:balcony|terrace)) (?:that )?(?:i|we|you) (?:can|could) (?:step|go|walk|get)(?: out)? (?:on ?to|to) "
+     r"from (?:both )?(?P<a>{a}) and (?:from )?(?P<c>{a})", r"\g<b> with a door to \g<a> and a door to \g<c>"),
+    (r"\b(?P<n>two (?:studies|bed ?rooms|offices|bath ?rooms))(?: then)?, far apart\b", r"\g<n> far from each other"),
+    (r"\b(?P<n>two [a-z']+ ?rooms) of (?:equal|the same) size next to each other\b",
+     r"\g<n> next to each other and of the same size"),
+    # "a bunk bed in the girls'", "opposite the player's"
+    (r"\b(?P<p>in|next to|beside|opposite|near|from) (?P<w>(?:the|my|our) [a-z]+(?:s'|'s)),? ?(?=[.,;]|$|and\b|"
+     r"but\b)", r"\g<p> \g<w> room "),
+    # "from the bedroom into a dressing room and from there into the bathroom", "entered from the living room, not
+    # from the hall"
+    (r"\bfrom (?P<a>{a}) (?:straight )?into (?:an? |the |our )?(?P<c>dressing room|walk-in closet|closet)\b,? and "
+     r"from (?:there|it|the (?:closet|dressing room)) (?:straight )?into (?:an? |the |their |our )?(?P<b>bath ?room|"
+     r"en ?suite)", r"a \g<c> off \g<a>. the \g<b> is reached from the \g<c>"),
+    (r"(?P<a>\b(?:the|my|our) {kind}) (?:is|must be|should be) (?:entered|reached) (?:only )?from (?P<b>{a}),? (?:and "
+     r")?not from (?P<c>{a})",
+     r"\g<a> has a door to \g<b> and no door to \g<c>"),
+    (r", (?:and )?not doors? to (?=(?:the )?{kind})", ", no door to "), (r"\bthe both\b", "both"),
+    (r"\bdormitorio, pequen[oa],", "dormitorio pequeno"),
+    (r"\b(?P<w>facing|faces?|to the|in the|towards) (?:wset|wets|esat|aest|nroth|norht|noth|sotuh|suoth|soth)\b",
+     lambda found: f"{found['w']} {_slip(found.group().split()[-1])}"),
+    (r"^(?:an? )?[a-z]+[- ]detection study\b", "research"),
+    # "有阳台,洗衣机放在阳台上"
+    (r"(?P<b>阳台[^;]*?)放在?阳台上?", r"\g<b>在阳台"),
     # "the guest room can be small", "make the kitchen large, with an island, and open to the living room"
     (r"(?P<a>{a}) (?:can|may|could) be (?:quite |rather |very |fairly )?(small|tiny|little)\b", r"\g<a> is small"),
     (r"\bmake (?P<a>{a}) (?P<s>large|big|small|huge|spacious),? with (?P<w>[^.;]*?),? and (?:have it |make it )?open "
@@ -153,6 +186,11 @@ _SAID = rules((
 def _either(room: str) -> str:
     """`the other one`, `mine` as bedrooms."""
     return {"the other one": "bedroom 2", "mine": "bedroom 1", "ours": "bedroom 1"}.get(room, room)
+
+
+def _slip(word: str) -> str:
+    """The side that was meant: letters that changed places or are missing."""
+    return next(side for side in ("west", "east", "north", "south") if set(word) <= set(side))
 
 
 _ENOUGH = Late(

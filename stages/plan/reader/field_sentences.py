@@ -37,6 +37,8 @@ class Sentences:
     def say(self, *parts: str) -> None:
         """One sentence more."""
         sentence = " ".join(p for p in parts if p)
+        if not sentence:
+            raise Unclear
         self.said.append(f"{sentence[0].upper()}{sentence[1:]}.")
 
     def name(self, key: str) -> Subject:

@@ -253,6 +253,8 @@ class Fields(Sentences):
             return self.amount(subject, what, LIMIT.get(bound[1], bound[1]), bound[3], "m2")
         if text in ("small", "large", "big"):
             return self.say(f"the {subject} is {text}")
+        if re.fullmatch(r"(?:the )?(?:largest|smallest|biggest)(?: room)?", text):
+            return self.say(f"the {subject} is the {'smallest' if 'smallest' in text else 'largest'} room")
         if text in ("ensuite", "en suite"):
             return self.ensuite(subject, value=True)
         if text in ("open", "open plan") and kind == "kitchen":

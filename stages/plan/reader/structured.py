@@ -3,6 +3,7 @@
 import json
 import re
 from collections import Counter
+from itertools import accumulate
 from typing import Any
 
 from apartgen.stages.plan.reader.field_values import Unclear
@@ -12,6 +13,10 @@ _FIELD = re.compile(r"\s*([A-Za-z][\w. -]{0,40}?)\s*(:(?!=)|>=|<=|==?|>|<|≥|�
 _INDENTED = re.compile(r"^\w[\w ]*:\s*\n\s+[\w\"'-].*", re.MULTILINE)
 """Lines that belong to the key above them."""
 _BOUNDS = {">=": "at least", "≥": "at least", ">": "at least", "<=": "at most", "≤": "at most", "<": "at most"}
+
+
+DEEPEST = 20
+"""Brackets within brackets that a prompt may have to be read as fields."""
 
 
 def in_sentences(prompt: str) -> str:
@@ -24,11 +29,14 @@ def in_sentences(prompt: str) -> str:
         counting = Fields(Counter())
         counting.flat(fields)
         return Fields(counting.counts).flat(fields)
-    except (Unclear, RecursionError):
+    except Unclear:
         return prompt
 
 
 def _parsed(text: str) -> Any:
+    deepest = max(accumulate((sign in "[{") - (sign in "]}") for sign in text), default=0)
+    if deepest > DEEPEST:
+        return None
     try:
         return json.loads(text)
     except ValueError:

@@ -32,7 +32,7 @@ _ENTERED = Late(
     r"(?P<a>(?:an? |one |the )?(?:little |small |big )?(?:pantry|larder|storage(?: room)?|store ?room|"
     r"utility(?: room)?|laundry(?: room)?|"
     r"closet|balcony|terrace))(?: for [a-z]+)?,? (?:that |which )?(?:you|i|we|one) (?:can |could |should )?(?:enter|"
-    r"reach|get into|go into|get to)s?(?: straight| directly)? from (?P<b>it|there)\b"
+    r"reach|get into|go into|walk into|step into|get to)s?(?:,? (?:straight|directly))? from (?P<b>it|there)\b"
 )
 _DOOR_THERE = Late(
     rf"(?P<x>(?P<b>{_NAMED})(?:[^.;]*?)) (?:is |are )?(?P<by>{_BESIDE}) (?P<a>{_NAMED})[,.;] ?(?:and )?between "
