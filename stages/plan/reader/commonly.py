@@ -139,6 +139,37 @@ _SAID = rules((
     (r"^(?:an? )?[a-z]+[- ]detection study\b", "research"),
     # "有阳台,洗衣机放在阳台上"
     (r"(?P<b>阳台[^;]*?)放在?阳台上?", r"\g<b>在阳台"),
+    # "across from the bathroom and no less than 15 m2", "living room not above 14 m2", "has to stay within 50 m2"
+    (r"(?P<a>\b(?:the|my|our|his|her|their) (?:{kind}|bed ?room)) (?P<m>{must}) be (?P<x>[^.;,]*?) and (?P<l>(?:no "
+     r"(?:less|more)|not (?:less|more)) than|at (?:least|most)) (?P<n>{amount} ?{unit})",
+     lambda found: f"{found['a']} {found['m']} be at {'most' if 'mo' in found['l'] else 'least'} {found['n']}. "
+     f"{found['a']} is {found['x']}"),
+    (r"(?P<a>{kind}) not (?:above|over|larger than|more than|bigger than) (?P<n>{amount} ?{unit})",
+     r"\g<a> at most \g<n>"),
+    (r"\b(?:has to|must|should|needs to) (?:stay|be|remain) within (?P<n>{amount} ?{unit})", r"is at most \g<n>"),
+    # "storage room off the hallway, near the entrance", "seen from the entrance, the study is on the left and the
+    # kitchen on the right"
+    (r"(?P<a>{kind}) off the (?P<h>{hall}), (?:close to|near|by) the (?P<e>entrance|front door)(?!-)",
+     r"\g<a> off the \g<h>. the \g<a> is near the \g<e>"),
+    (r"\b(?:as )?seen from the (?:entrance|front door),? (?P<a>{a}) is (?:to|on|at) the (?P<s>left|right)(?:,? and "
+     r"(?P<b>{a}) (?:is )?(?:to|on|at) the (?P<t>left|right))?",
+     lambda found: f"{found['a']} is to the {found['s']} of the entrance"
+     + (f" and {found['b']} is to the {found['t']} of the entrance" if found["b"] else "")),
+    (r"\b(?:to|on|at) the (left|right)(?: side)?,? (?:as )?seen from the (?:entrance|front door)",
+     r"to the \1 of the entrance"),
+    # "a study where I can practise, well away from the bedroom", "in the living room I work, so there I need a desk"
+    (r"(?P<a>\b(?:an?|the) (?:small |large |big )?{kind}) where (?:i|we) (?:can )?[^,.;]{3,40}, (?P<x>(?:well |far "
+     r")?away from|far from|next to|near)\b",
+     r"\g<a> \g<x>"),
+    (r"\bin (?P<a>(?:the |my |our )?{kind}) (?:i|we) (?:work|study|eat|sleep|play|sew|paint)[^.;,]*?, so there (?:i|"
+     r"we) (?:need|want)", r"in \g<a> i need"),
+    (r"\b(balcony|terrace) from (?:the )?({kind})(?= ?(?:[.,;]|$|please))", r"\1 off the \2"),
+    (r"(?P<a>bed ?room), it ha(?:s|ve) (?:the|an?) (?P<b>balcony|terrace|closet)\b", r"\g<a> with a \g<b>"),
+    (r"\bin (?:die|den|das) (?P<a>{de}) (?:soll|mochte|kann|will) (?:man|ich) (?:direkt )?von (?:der|dem) "
+     r"(?P<b>{de})(?: aus)? (?:kommen|gelangen|gehen|treten)(?: konnen)?", r"die \g<a> ist an der \g<b>"),
+    (r"\bal (?P<a>{es}), con (?P<w>[^.;]*?), se entra (?:por|desde) (?P<b>(?:la |el )?{es})",
+     r"al \g<a> se entra por \g<b>. el \g<a> tiene \g<w>"),
+    (r"阳台从(?P<a>主?卧室?|客厅|厨房)出去", r"阳台连着\g<a>"), (r"之间不要(?:开|有|设)?门", "之间没有门"),
     # "the guest room can be small", "make the kitchen large, with an island, and open to the living room"
     (r"(?P<a>{a}) (?:can|may|could) be (?:quite |rather |very |fairly )?(small|tiny|little)\b", r"\g<a> is small"),
     (r"\bmake (?P<a>{a}) (?P<s>large|big|small|huge|spacious),? with (?P<w>[^.;]*?),? and (?:have it |make it )?open "
@@ -195,11 +226,13 @@ def _slip(word: str) -> str:
 
 _ENOUGH = Late(
     r"(?:^|(?<=[.;,!] ))(?:just |only )?(?:one|a single) bed ?room (?:is|will be|would be) "
-    r"(?:enough|plenty|fine|all i need)\b[.!]?"
+    r"(?:enough|plenty|fine|all i need)\b(?:, (?P<n>\d+(?:\.\d+)? ?(?:m2|sqm)))?[.!]?"
 )
 
 
 def commonly(text: str) -> str:
     """A folded text with such clauses reworded; `one bedroom is enough` is said first, as it is of all that is told."""
     said = reworded(text, _SAID)
-    return f"a one-bedroom flat. {_ENOUGH.sub('', said).strip()}" if _ENOUGH.search(said) else said
+    found = _ENOUGH.search(said)
+    area = f"the bedroom is {found['n']}. " if found and found["n"] else ""
+    return f"a one-bedroom flat. {area}{_ENOUGH.sub('', said).strip()}" if found else said

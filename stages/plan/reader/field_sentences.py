@@ -186,3 +186,11 @@ class Sentences:
         else:
             self.counts.pop(kind, None)
             self.say(f"no {kind}")
+
+    def parted(self, text: str) -> tuple[Subject, str]:
+        """The room that words begin with, and the rest of them."""
+        parts = text.split()
+        for k in range(min(5, len(parts)), 0, -1):
+            if (found := room(" ".join(parts[:k]))) is not None:
+                return " ".join(p for p in found if p), " ".join(parts[k:])
+        return "", text

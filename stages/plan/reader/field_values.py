@@ -37,6 +37,7 @@ def words(key: Any) -> str:
 @cache
 def room(name: str) -> tuple[str, str] | None:
     """What `bedroom 2` or `bedrooms` is in the singular, and its number; None of what is no room."""
+    name = re.sub(r"^(bed|bath)(?:room)? ([a-d])$", lambda m: f"{m[1]}room {' abcd'.index(m[2])}", name)
     found = re.fullmatch(r"(?:the )?(.+?)(?: ?#?(\d{1,2}))?", name)
     if found is None:
         return None
@@ -115,11 +116,7 @@ def is_furniture(name: str) -> bool:
 def is_measured(key: str) -> bool:
     """`kitchen area`, though some call a kitchen so."""
     name, _, last = key.rpartition(" ")
-    return (
-        last in ("area", "size", "width", "length")
-        and name not in ("dining", "living", "sitting")
-        and room(name) is not None
-    )
+    return last in ("area", "size", "width", "length") and name not in ("dining", "sitting") and room(name) is not None
 
 
 def taken_apart(key: str) -> tuple[str, str, str]:

@@ -94,14 +94,6 @@ class Fields(Sentences):
         else:
             self.phrase(subject, rest)
 
-    def parted(self, text: str) -> tuple[Subject, str]:
-        """The room that words begin with, and the rest of them."""
-        parts = text.split()
-        for k in range(min(5, len(parts)), 0, -1):
-            if (found := room(" ".join(parts[:k]))) is not None:
-                return " ".join(p for p in found if p), " ".join(parts[k:])
-        return "", text
-
     def field(self, subject: Subject, key: str, value: Any) -> None:
         """One field, by what its key is."""
         if value is None or value == "":
@@ -173,12 +165,17 @@ class Fields(Sentences):
             count = whole(count)
             if not count:
                 raise Unclear
-            told += [(found[0], rest)]
-            self.counts[found[0]] += count
+            number = found[1] if count == 1 else ""
+            told += [(f"{found[0]} {number}".strip(), rest)]
+            beside = self.counts[found[0]] if number else 0  # "bedrooms: 2 … rooms: [{name: bedroom 1}]"
+            self.counts[found[0]] = max(beside, int(number)) if number else self.counts[found[0]] + count
             for k in NAME:
                 if isinstance(named.get(k), str):
                     self.named[words(named[k])] = f"{found[0]} {self.counts[found[0]]}"
         for kind, rest in told:
+            if kind[-1:].isdigit():
+                self.fields(kind, rest)
+                continue
             self.numbers[kind] += 1
             several = self.counts[kind] > 1
             group = several and sum(k == kind for k, _ in told) == 1
@@ -238,6 +235,8 @@ class Fields(Sentences):
                 return self.relation(subject, RELATIONS[key], re.split(r" and | & ", rest))
             if key in DIRECTION and rest and (SIDE.fullmatch(rest) or rest in PLACES):
                 return self.place(subject, rest, faces=DIRECTION[key])
+        if window := re.fullmatch(r"(?:with )?(?:a )?windows? (?:to|facing|towards|on)(?: the)? (.+)", text):
+            return self.place(subject, window[1], faces=True)
         if head in ("with", "has", "including") and text != head:
             return self.say(f"the {subject}", "has", text.partition(" ")[2])
         if sided := re.fullmatch(rf"({NUMBER} ?(?:{UNIT})?) ({'|'.join(SHORT)}|north|south|east|west)", text):
@@ -273,7 +272,9 @@ class Fields(Sentences):
         """Sentences that stand in a field."""
         if isinstance(value, list):
             for one in value:
-                if isinstance(one, dict):
+                if isinstance(one, list) and len(one) == 3 and words(one[1]) in RELATIONS:
+                    self.relation("", RELATIONS[words(one[1])], [[one[0], one[2]]])
+                elif isinstance(one, dict):
                     self.constraint(one)
                 else:
                     self.text(one)

@@ -41,8 +41,8 @@ _DOOR_THERE = Late(
 )
 _OPEN_TO_IT = Late(rf"(?P<a>{_NAMED})\b(?P<x>[^.;]*?) and (?P<k>the kitchen) is open to it\b")
 _ITS_WINDOW = Late(
-    rf"(?P<a>{_NAMED})\b(?P<x>[^.;]*?),? (?:and |with )its windows? (?:should |must |has to |have to )?(?:facing|"
-    rf"looking|looks?|faces?|to|towards|"
+    rf"(?P<x>(?:^|(?<=[.!?] ))[^.!?]*?\b{_NAMED}\b[^.!?]*?)[,;]? (?:and |with |)its windows? "
+    r"(?:should |must |has to |have to )?(?:facing|looking|looks?|faces?|to|towards|"
     r"oriented)(?: to(?:wards)?)?(?: the)? (?P<s>(?:north|south)(?:[ -]?(?:east|west))?|east|west)\b"
 )
 _UNDER = Late(rf"(?P<a>{_NAMED})\b(?P<x>[^.;]*?); ?keep it (?P<l>under|below|above|over) (?P<n>{AMOUNT} ?{UNIT})")
@@ -53,7 +53,7 @@ def whose_place(text: str) -> str:
     text = _ENTERED.sub(_entered, text)
     text = _DOOR_THERE.sub(r"\g<x> is \g<by> \g<a>. \g<b> has a door to \g<a>", text)
     text = _OPEN_TO_IT.sub(r"\g<a>\g<x>. \g<k> is open to the living room", text) if "living room" in text else text
-    text = _ITS_WINDOW.sub(r"\g<a>\g<x>. \g<a> faces \g<s>", text)
+    text = _ITS_WINDOW.sub(_its_window, text) if "its window" in text else text
     text = _UNDER.sub(
         lambda m: (
             f"{m['a']}{m['x']}. {_the(m['a'])} is at {'most' if m['l'] in ('under', 'below') else 'least'} {m['n']}"
@@ -67,6 +67,12 @@ def whose_place(text: str) -> str:
 
 def _the(room: str) -> str:
     return re.sub(r"^(?:an?|one) ", "the ", room)
+
+
+def _its_window(found: re.Match[str]) -> str:
+    """`a study beside the living room with its window to the north`: that of the last room that is no landmark."""
+    here = _rooms(found["x"])
+    return f"{found['x']}. {_the(here[-1])} faces {found['s']}" if here else found.group()
 
 
 def _entered(found: re.Match[str]) -> str:

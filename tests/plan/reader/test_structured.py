@@ -51,6 +51,11 @@ FIELDS = [
      "B1W1, B1 has 1 double_bed, B2 has 2 single_bed, adjacent B2 B1, at_least H1 width 1.2"),
     ("bedrooms=4; bathrooms=2; ensuite=bedroom 2; bedroom 3 adjacent to bedroom 4; kitchen away from bedroom 1",
      "B4 H K L W2", "adjacent B3 B4, apart K1 B1"),
+    ('{"bedrooms": 2, "balcony": true, "rooms": [{"name": "kitchen", "area": 10}, '
+     '{"name": "bedroom 1", "faces": "south"}]}',
+     "B2 H K L W Y", "K1=10, orientation B1 south"),
+    ('{"rooms": ["living", "kitchen", "bed_a", "bed_b", "bath"], "constraints": [["bed_a", "far_from", "bed_b"], '
+     '{"type": "max_area", "room": "bed_b", "value": 12}]}', "B2 H K L W", "apart B1 B2, at_most B2 12"),
     ('{"bedrooms": 2, "bathrooms": 1, "kitchen": {"open_to": "living_room", "min_area": 9, "max_area": 12}}',
      "B2 H K L W", "K1~L1, at_least K1 9, at_most K1 12"),
 ]  # fmt: skip
