@@ -48,6 +48,9 @@ _SAID = rules((
     # "a bathroom without a bath, only a shower", "I can't climb into a bathtub any more, so a shower, please"
     (r"\bwithout (?:an? )?bath(?:tub)?,? (?:but )?(?:only|just|but)(?: with)? (?:an? )?shower\b",
      "with a shower and no bathtub"),
+    (r"\b(?P<w>(?:with|has|and|want) (?:only |just )?(?:an? )?shower),? (?:but |and )?(?:no|not an?|without an?) "
+     r"bath(?:tub)?\b(?! ?room)",
+     r"\g<w> and no bathtub"),
     (r"\b(?:can't|cannot|can not|can no longer|not able to)(?: \w+){0,3} (?:an? |the )?bath(?:tub)?(?: any ?more| any "
      r"longer)?,? (?:so|and|but) ",
      "want no bathtub, but "),

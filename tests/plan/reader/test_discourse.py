@@ -44,6 +44,8 @@ COMMON = [
     ("One bedroom. The bathroom is to the left as you come in.", "B H K L W", "position W1 entrance left"),
     ("A flat with one bedroom, bathroom without bath, only shower.", "B H K L W", "W1 has 1 shower, W1 has 0 bath"),
     ("One bedroom. I can't climb into a bathtub any more, so a shower, please.", "B H K L W", "!W1 has 1 bath"),
+    ("Two bedrooms and a bathroom that I get into from my bedroom, with a shower, no bath.", "B2 H K L W",
+     "W1 has 1 shower, W1 has 0 bath"),
     ("I sew curtains for a living. One bedroom.", "B H K L W", "!L1 has 2 curtain"),
     ("One bedroom. We sold the piano last year.", "B H K L W", "!L1 has 1 piano"),
     ("Our flat now has two bedrooms and a tiny kitchen. In the new one we want three bedrooms.", "B3 H K L W2", ""),
