@@ -2,11 +2,11 @@
 
 import ast
 import functools
-import gc
 from collections.abc import Iterator
 from pathlib import Path
 
 import networkx
+from syntax import tree_of
 
 ROOT = Path(__file__).parent.parent
 ARROWS = ("schemas", "stages", "apartgen", "apartgen_cli")
@@ -34,12 +34,7 @@ RELATIVE = [str(file.relative_to(ROOT)) for file in FILES]
 
 @functools.cache
 def tree(file: str) -> ast.Module:
-    text = (ROOT / file).read_text(encoding="utf-8")
-    gc.disable()  # garbage collected in between upsets how deep CPython 3.11 believes a tree to be
-    try:
-        return ast.parse(text)
-    finally:
-        gc.enable()
+    return tree_of((ROOT / file).read_text(encoding="utf-8"))
 
 
 def module(file: str) -> str:

@@ -8,6 +8,7 @@ import matplotlib
 import pytest
 from matplotlib.figure import Figure
 from PIL import Image
+from syntax import tree_of
 
 FILE = Path(__file__).parent.parent / "examples/first_steps.ipynb"
 
@@ -19,7 +20,7 @@ def ran():
     shown, names = [], {}
     for cell in json.loads(FILE.read_text(encoding="utf-8"))["cells"]:
         if cell["cell_type"] == "code":
-            tree = ast.parse("".join(cell["source"]))
+            tree = tree_of("".join(cell["source"]))
             *before, last = tree.body
             exec(compile(ast.Module(before, []), str(FILE), "exec"), names)
             assert isinstance(last, ast.Expr)

@@ -12,6 +12,7 @@ import pytest
 import shapely
 from check import injections
 from scipy.spatial.transform import Rotation
+from syntax import tree_of
 
 from apartgen import checking
 from apartgen.schemas.errors import ApartgenError
@@ -304,7 +305,7 @@ def test_as_many_faults_as_can_be_read():
 
 def test_it_shares_nothing_with_the_stages_but_facts():
     for file in (ROOT / "stages/check").glob("*.py"):
-        for node in ast.walk(ast.parse(file.read_text())):
+        for node in ast.walk(tree_of(file.read_text())):
             module = node.module or "" if isinstance(node, ast.ImportFrom) else ""
             known = ("apartgen.schemas", "apartgen.stages.check", "apartgen.stages.things.categories")
             assert not module.startswith("apartgen") or module.startswith(known), f"{file.name} imports {module}"
@@ -317,7 +318,7 @@ def test_it_is_short_enough_to_be_read():
 
 def lines(file):
     text = file.read_text()
-    words = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Import | ast.ImportFrom)
+    words = [node for node in ast.walk(tree_of(text)) if isinstance(node, ast.Import | ast.ImportFrom)
              or (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))]
     left_out = {i for node in words for i in range(node.lineno, node.end_lineno + 1)}
     return [line for i, line in enumerate(text.splitlines(), 1) if line.strip() and i not in left_out]

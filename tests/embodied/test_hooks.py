@@ -14,6 +14,7 @@ import mujoco
 import numpy as np
 import pytest
 from embodied import blocks
+from syntax import tree_of
 
 from apartgen.schemas import artifact
 from apartgen.schemas.plan import Room
@@ -224,7 +225,7 @@ ELSEWHERE = ("isaacsim", "omni", "rclpy", "nav2_simple_commander", "launch", "la
 
 @pytest.mark.parametrize("name", PYTHON)
 def test_what_is_not_installed_everywhere_is_imported_when_it_is_needed(name):
-    tree = ast.parse((HOOKS / name).read_text())
+    tree = tree_of((HOOKS / name).read_text())
     top = [alias.name for node in tree.body if isinstance(node, ast.Import) for alias in node.names]
     top += [node.module for node in tree.body if isinstance(node, ast.ImportFrom)]
     assert not [word for word in top if word.split(".")[0] in ELSEWHERE]

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from lived_in import EAST, NORTH, ROOMS, SOUTH, WEST, room, thing
+from syntax import tree_of
 
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan, Room
@@ -57,7 +58,7 @@ def test_faults_and_lacks_do_not_hang_on_the_frame(kind: str) -> None:
 def test_every_fault_has_a_weight_and_every_weight_a_fault() -> None:
     said = set()
     for file in (Path(use.__file__).parent / "rules").glob("*.py"):
-        for node in ast.walk(ast.parse(file.read_text())):
+        for node in ast.walk(tree_of(file.read_text())):
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Fault":
                 text = ast.unparse(node.args[0])
                 said |= {w for w in use.weights() if repr(w) in text} or {

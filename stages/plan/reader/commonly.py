@@ -49,7 +49,7 @@ _SAID = rules((
     (r"\bwithout (?:an? )?bath(?:tub)?,? (?:but )?(?:only|just|but)(?: with)? (?:an? )?shower\b",
      "with a shower and no bathtub"),
     (r"\b(?P<w>(?:with|has|and|want) (?:only |just )?(?:an? )?shower),? (?:but |and )?(?:no|not an?|without an?) "
-     r"bath(?:tub)?\b(?! ?room)",
+     r"bath(?: ?tub)?\b(?! ?room)",
      r"\g<w> and no bathtub"),
     (r"\b(?:can't|cannot|can not|can no longer|not able to)(?: \w+){0,3} (?:an? |the )?bath(?:tub)?(?: any ?more| any "
      r"longer)?,? (?:so|and|but) ",
@@ -117,7 +117,8 @@ _SAID = rules((
     (r"\b(eating|sleeping|working|sitting|lying|studying) (?:on|at|in|off) (?:the|a|my|our) (?!kitchen|bed ?room|"
      r"living|dining|study)[a-z]+(?= ?[.,:;])",
      r"\1"),
-    (r",? or (?:else )?the [a-z]+ (?:will|would) [^.;,]*", ""),
+    (r",? or (?:else )?the (?:shower|noise|light|sun|smell|steam|neighbours?|dogs?|cats?|baby|kids|children|street|"
+     r"trams?|music|tv|piano|drums) (?:will|would) [^.;,]*", ""),
     # "a terrace I can step onto from both the living room and the bedroom", "two studies then, far apart"
     (r"(?P<b>\b(?:balcony|terrace)) (?:that )?(?:i|we|you) (?:can|could) (?:step|go|walk|get)(?: out)? (?:on ?to|to) "
      r"from (?:both )?(?P<a>{a}) and (?:from )?(?P<c>{a})", r"\g<b> with a door to \g<a> and a door to \g<c>"),
@@ -229,7 +230,8 @@ def _slip(word: str) -> str:
 
 _ENOUGH = Late(
     r"(?:^|(?<=[.;,!] ))(?:just |only )?(?:one|a single) bed ?room (?:is|will be|would be) "
-    r"(?:enough|plenty|fine|all i need)\b(?:, (?P<n>\d+(?:\.\d+)? ?(?:m2|sqm)))?[.!]?"
+    r"(?:enough|plenty|fine|all i need)\b(?! for (?!me\b|us\b|the two of us))"
+    r"(?:, (?P<n>\d+(?:\.\d+)? ?(?:m2|sqm)))?[.!]?"
 )
 
 

@@ -45,7 +45,7 @@ _ITS_WINDOW = Late(
     r"(?:should |must |has to |have to )?(?:facing|looking|looks?|faces?|to|towards|"
     r"oriented)(?: to(?:wards)?)?(?: the)? (?P<s>(?:north|south)(?:[ -]?(?:east|west))?|east|west)\b"
 )
-_UNDER = Late(rf"(?P<a>{_NAMED})\b(?P<x>[^.;]*?); ?keep it (?P<l>under|below|above|over) (?P<n>{AMOUNT} ?{UNIT})")
+_UNDER = Late(rf"(?P<x>[^.;]*?\b{_NAMED}\b[^.;]*?); ?keep it (?P<l>under|below|above|over) (?P<n>{AMOUNT} ?{UNIT})")
 
 
 def whose_place(text: str) -> str:
@@ -54,12 +54,7 @@ def whose_place(text: str) -> str:
     text = _DOOR_THERE.sub(r"\g<x> is \g<by> \g<a>. \g<b> has a door to \g<a>", text)
     text = _OPEN_TO_IT.sub(r"\g<a>\g<x>. \g<k> is open to the living room", text) if "living room" in text else text
     text = _ITS_WINDOW.sub(_its_window, text) if "its window" in text else text
-    text = _UNDER.sub(
-        lambda m: (
-            f"{m['a']}{m['x']}. {_the(m['a'])} is at {'most' if m['l'] in ('under', 'below') else 'least'} {m['n']}"
-        ),
-        text,
-    )
+    text = _UNDER.sub(_kept_under, text)
     text = _BOTH.sub(r"a door to \g<a> and a door to \g<b>", text)
     text = _TWO.sub(_door_between, text) if "door between" in text else text
     return _THERE.sub(_place, text) if _THERE.search(text) else text
@@ -73,6 +68,13 @@ def _its_window(found: re.Match[str]) -> str:
     """`a study beside the living room with its window to the north`: that of the last room that is no landmark."""
     here = _rooms(found["x"])
     return f"{found['x']}. {_the(here[-1])} faces {found['s']}" if here else found.group()
+
+
+def _kept_under(found: re.Match[str]) -> str:
+    """`a storage room off the kitchen; keep it under 4 m2`."""
+    here = _rooms(found["x"])
+    bound = "at most" if found["l"] in ("under", "below") else "at least"
+    return f"{found['x']}. {_the(here[-1])} is {bound} {found['n']}" if here else found.group()
 
 
 def _entered(found: re.Match[str]) -> str:
