@@ -47,7 +47,7 @@ def _nested(text: str) -> Any:
     """YAML, without the references by which a short text means a huge one."""
     if re.search(r"[&*]\w", text):
         return None
-    import yaml  # noqa: PLC0415 (20 ms, for few prompts)
+    import yaml  # type: ignore[import-untyped]  # noqa: PLC0415 (20 ms, for few prompts)
 
     try:
         found = yaml.safe_load(text)
