@@ -90,6 +90,11 @@ def pairs_of(subject: str, value: Any) -> Iterator[tuple[str, str]]:
         raise Unclear
 
 
+def as_list(value: Any) -> list[Any]:
+    """One or several."""
+    return value if isinstance(value, list) else [value]
+
+
 def plural_of(name: str) -> str:
     return " ".join(plural(tuple(name.split())))
 

@@ -30,6 +30,7 @@ from apartgen.stages.plan.reader.field_values import (
     SHORT,
     SIDE,
     Unclear,
+    as_list,
     is_furniture,
     is_measured,
     limited,
@@ -138,6 +139,8 @@ class Fields(Sentences):
             self.room(found, value)
         elif found is not None and truth(value):
             self.say(f"the {subject} has a {found[0]}")
+        elif not subject and key == "near entrance":
+            self.relation("", RELATIONS["near"], [[one, "entrance"] for one in as_list(value)])
         elif not subject and all(self.parted(key)):
             self.field(*self.parted(key), value)
         elif not subject and isinstance(value, str) and self.is_room(value) and is_furniture(key):
@@ -161,14 +164,11 @@ class Fields(Sentences):
                 raise Unclear
             found = room(words(kind)) or ("", "")
             rest = {k: v for k, v in named.items() if k not in NAME}
-            count = next((rest.pop(k) for k in list(rest) if k in COUNT), 1)
-            count = whole(count)
-            if not count:
+            if not (count := whole(next((rest.pop(k) for k in list(rest) if k in COUNT), 1))):
                 raise Unclear
-            number = found[1] if count == 1 else ""
-            told += [(f"{found[0]} {number}".strip(), rest)]
-            beside = self.counts[found[0]] if number else 0  # "bedrooms: 2 … rooms: [{name: bedroom 1}]"
-            self.counts[found[0]] = max(beside, int(number)) if number else self.counts[found[0]] + count
+            told += [(f"{found[0]} {(number := found[1] if count == 1 else '')}".strip(), rest)]
+            beside = self.counts[found[0]]  # "bedrooms: 2 … rooms: [{name: bedroom 1}]"
+            self.counts[found[0]] = max(beside, int(number)) if number else beside + count
             for k in NAME:
                 if isinstance(named.get(k), str):
                     self.named[words(named[k])] = f"{found[0]} {self.counts[found[0]]}"

@@ -56,6 +56,8 @@ FIELDS = [
      "B2 H K L W Y", "K1=10, orientation B1 south"),
     ('{"rooms": ["living", "kitchen", "bed_a", "bed_b", "bath"], "constraints": [["bed_a", "far_from", "bed_b"], '
      '{"type": "max_area", "room": "bed_b", "value": 12}]}', "B2 H K L W", "apart B1 B2, at_most B2 12"),
+    ('{"rooms": [{"type": "kitchen", "next_to": "dining"}, {"type": "dining"}, {"type": "bedroom", "count": 2}], '
+     '"near_entrance": "kitchen"}', "B2 D H K L W", "near K1 entrance"),
     ('{"bedrooms": 2, "bathrooms": 1, "kitchen": {"open_to": "living_room", "min_area": 9, "max_area": 12}}',
      "B2 H K L W", "K1~L1, at_least K1 9, at_most K1 12"),
 ]  # fmt: skip
