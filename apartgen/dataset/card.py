@@ -31,7 +31,8 @@ carries them; metres, z up.
 Homes are read as text, for a reader that wants one table for all would find other rooms in every home.
 `manifest.jsonl` has a row for every request, in order: `shard`, `start` and `length` say which bytes of which file hold
 the home (a gzip member of its own), `sha256` is that of its line; `metrics`, `certified`, `signature`, `split`,
-`seconds`, or `error`. Homes that are nearly the same are in one part of the split.
+`seconds`, or `error`; `thrown_away` says why other draws of a home were not taken. Homes that are nearly the same are
+in one part of the split.
 
 ## How it came about
 Stages: {stages}. `dataset.json` has the settings; the same settings, seed and version on the same kind of machine give

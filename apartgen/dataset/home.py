@@ -12,12 +12,14 @@ from apartgen.requests import Request
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Artifact
 from apartgen.schemas.base import Record
-from apartgen.schemas.errors import ApartgenError
-from apartgen.stages import check
+from apartgen.schemas.errors import ApartgenError, BadInput
+from apartgen.stages import check, seeds
 from apartgen.steps import POPULATE, STEPS, Step, lane, made
 
 log = logging.getLogger("apartgen")
 Settings = Mapping[str, Mapping[str, Any]]
+DRAWS = 3
+"""How often a home is drawn at most."""
 
 
 class Asked(NamedTuple):
@@ -43,20 +45,55 @@ def steps_of(populate: bool) -> tuple[Step, ...]:
 
 
 def home(asked: Asked) -> Done:
-    """A home, or why there is none. It hangs on its request, its seed and the settings alone."""
+    """A home, or why there is none. It hangs on its request, its seed and the settings alone.
+
+    One that a stage can't finish, or that the judge refuses, is thrown away and drawn again, `DRAWS` times in all; its
+    row says so. Where none is better the first is taken.
+    """
     began = perf_counter()
+    done = [_drawn(asked, asked.seed)]
+    while _may_do_better(asked, done[-1]) and len(done) < DRAWS:
+        done.append(_drawn(asked, _other_seed(asked, len(done))))
+    taken = min(done, key=_shortcoming)
+    thrown_away = [_why(one) for one in done if one is not taken]
+    seconds = taken.row["seconds"] | {"all": round(perf_counter() - began, 3)}
+    return Done(taken.line, taken.row | ({"thrown_away": thrown_away} if thrown_away else {}) | {"seconds": seconds})
+
+
+def _other_seed(asked: Asked, k: int) -> int:
+    return int(seeds.drawn(asked.seed, "again", asked.request.id or asked.request.prompt, str(k)).integers(2**63))
+
+
+def _shortcoming(done: Done) -> int:
+    """0 for a certified home, 1 for one that the judge refuses, 2 for none."""
+    return 2 if not done.line else int(not done.row["certified"])
+
+
+def _may_do_better(asked: Asked, done: Done) -> bool:
+    """A request that is wrong stays wrong, however it is drawn; a model that gives no programme is asked once."""
+    asks_a_model = any(table.get("plan", {}).get("llm") for table in (asked.settings, asked.request.settings))
+    hopeless = done.row.get("status") == BadInput.exit_code or asks_a_model and "plan" not in done.row["seconds"]
+    return _shortcoming(done) > 0 and not hopeless
+
+
+def _why(done: Done) -> str:
+    return str(done.row.get("error") or done.row["faults"][0])
+
+
+def _drawn(asked: Asked, seed: int) -> Done:
+    """One draw."""
     row = row_of(asked)
     seconds: dict[str, float] = {}
     try:
         with _heard() as said:
-            read, digests = _made(asked, seconds)
+            read, digests = _made(asked._replace(seed=seed), seconds)
         row |= {"said": said} if said else {}
         row |= {"kind": read.kind, "by": read.made.by, "digests": digests, **_judged(read, seconds)}
         line = artifact.as_line(artifact.finish(read.body, read.made)[0]).encode()
     except ApartgenError as error:
         line = b""
         row |= {"error": str(error), "status": error.exit_code}
-    return Done(line, row | {"seconds": seconds | {"all": round(perf_counter() - began, 3)}})
+    return Done(line, row | {"seconds": seconds})
 
 
 @contextmanager

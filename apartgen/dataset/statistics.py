@@ -21,15 +21,21 @@ def statistics(store: Store) -> dict[str, Any]:
     size = sum(file.stat().st_size for file in (store.folder / HOMES).glob("*.gz"))
     return {
         "homes": len(made), "failed": len(rows) - len(made), "certified": sum(row["certified"] for row in made),
+        "drawn_again": sum("thrown_away" in row for row in made),
         "bytes": size, "seconds": round(sum(row["seconds"].get("all", 0.0) for row in rows), 1),
         "split": dict(Counter(row["split"] for row in made if "split" in row)),
         "programmes": len({row["signature"] for row in made}), "prompts": len({row["prompt"] for row in made}),
         "twins": {"groups": sum(len(group) > 1 for group in groups),
                   "homes": sum(len(group) for group in groups if len(group) > 1)},
-        "failures": dict(Counter(_kind(row["error"]) for row in rows if "error" in row).most_common(20)),
+        "failures": _kinds(row["error"] for row in rows if "error" in row),
+        "thrown_away": _kinds(why for row in made for why in row.get("thrown_away", [])),
         "rooms": _counted(row["rooms"] for row in made), "objects": _counted(row["objects"] for row in made),
         "figures": _figures(made),
     }
+
+
+def _kinds(errors: Iterable[str]) -> dict[str, int]:
+    return dict(Counter(map(_kind, errors)).most_common(20))
 
 
 def _kind(error: str) -> str:
@@ -64,14 +70,16 @@ def _spread(values: np.ndarray) -> dict[str, float]:
 
 def table(found: dict[str, Any]) -> str:
     """The same for people, as Markdown."""
-    lines = [f"{found['homes']} homes, {found['failed']} failed, {found['certified']} certified; "
+    lines = [f"{found['homes']} homes, {found['failed']} failed, {found['certified']} certified, "
+             f"{found['drawn_again']} of them drawn again as a draw was thrown away; "
              f"{found['programmes']} graphs of rooms, {found['prompts']} prompts; "
              f"{found['twins']['homes']} homes in {found['twins']['groups']} groups of twins; "
              f"{found['bytes'] / max(found['homes'], 1) / 1000:.1f} kB and "
              f"{found['seconds'] / max(found['homes'] + found['failed'], 1):.2f} s a home."]
-    for name in ("split", "rooms", "objects", "failures"):
+    for name in ("split", "rooms", "objects", "failures", "thrown_away"):
         if found[name]:
-            lines += ["", f"**{name}**: " + ", ".join(f"{key} {n}" for key, n in list(found[name].items())[:40])]
+            counts = ", ".join(f"{key} {n}" for key, n in list(found[name].items())[:40])
+            lines += ["", f"**{name.replace('_', ' ')}**: {counts}"]
     lines += ["", "| figure | n | mean | " + " | ".join(f"p{q}" for q in QUANTILES) + " |",
               "|---" * (3 + len(QUANTILES)) + "|"]
     for name, spread in found["figures"].items():

@@ -234,6 +234,27 @@ def test_a_television_said_to_hang_stays_on_the_wall_and_any_other_finds_its_sta
         assert (abs(tv.center[2] - 1.3) < 0.1) == (carrier == "wall")
 
 
+def test_a_television_exactly_as_wide_as_the_gap_between_cabinets_stands_on_its_stand(flat, libraries):
+    """Turned by -1.5708, which is no quarter turn to the last digit: its ends touch both by 4e-8 m."""
+    tall = {"category": "display_cabinet", "size": [0.36, 0.8, 1.54], "yaw": -1.5708}
+    stand, tv, *_ = retrieve(flat(
+        {"category": "tv_stand", "center": [2.225, 4.81, 0.2], "size": [0.36, 1.2, 0.4], "yaw": -1.5708},
+        {"category": "tv", "center": [2.225, 4.81, 0.76], "size": [0.1, 1.2, 0.72], "yaw": -1.5708},
+        tall | {"center": [1.225, 4.81, 0.77]}, tall | {"center": [3.225, 4.82, 0.77]},
+    ), libraries).objects
+    assert tv.on == stand.id
+
+
+@pytest.mark.parametrize("away, hung", [(0.0, True), (0.3, True), (1.2, False)])
+def test_a_television_without_a_stand_hangs_on_the_wall_behind_it_or_is_left_out(away, hung, flat, libraries):
+    things = retrieve(flat(
+        {"category": "tv", "center": [2.0, 5.0 - 0.05 - away, 1.2], "size": [0.1, 1.2, 0.72], "yaw": -np.pi / 2},
+    ), libraries).objects
+    assert [thing.on for thing in things] == ["wall"] * hung
+    for thing in things:
+        assert np.allclose(thing.center[:2], (2.0, 5.0 - thing.size[0] / 2), atol=1e-6)
+
+
 def test_what_outgrew_its_box_goes_to_the_nearest_place_there_is() -> None:
     """4 cm in the wall behind it: 5 cm forward will do; 8 cm in a neighbour as well: 10 cm aside, too."""
     site = placing.Site(Polygon([(0, 0), (4, 0), (4, 4), (0, 4)]), Polygon())

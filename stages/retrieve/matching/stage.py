@@ -6,6 +6,7 @@ from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
+import shapely
 from shapely import Polygon
 
 from apartgen.schemas.carrying import BUILDING, FLOOR, WALL
@@ -27,6 +28,8 @@ LOG = logging.getLogger("apartgen")
 
 ON_A_WALL = 0.5
 """What has its middle above this, m, may hang on the wall."""
+TO_THE_WALL = 0.5
+"""The wall that it is hung on then is no farther behind it, m."""
 CARRIED = 0.8
 """Another top than the one that something stood on is at least so wide, as a share of that."""
 _NONE = boxes.of([])
@@ -170,7 +173,7 @@ def _put_on_top(
                 on[i] = layout.objects[under].id
                 break
         else:
-            on[i], placed[i] = WALL, _unsupported(box, item)
+            on[i], placed[i] = WALL, _unsupported(box, item, floor)
 
 
 def _near(i: int, under: int, layout: Layout, on: Sequence[str], small: bool) -> list[int]:
@@ -206,10 +209,14 @@ def _below(i: int, layout: Layout, placed: Sequence[Boxes | None]) -> list[int]:
     return sorted(able, key=order)
 
 
-def _unsupported(box: Box, item: Boxes) -> Boxes | None:
-    """A television, say, may hang on the wall; anything else without a top to stand on is left out."""
-    if TABLE[box.category].hangs and box.center[2] > ON_A_WALL:
-        return item
+def _unsupported(box: Box, item: Boxes, floor: Polygon) -> Boxes | None:
+    """A television, say, may hang on the wall behind it; anything else without a top to stand on is left out."""
+    back = -boxes.axes(item)[0, 0]
+    middle, half = item.center[0, :2], item.size[0, 0] / 2
+    behind = shapely.LineString([middle, middle + (half + TO_THE_WALL) * back]).intersection(floor.exterior)
+    if TABLE[box.category].hangs and box.center[2] > ON_A_WALL and not behind.is_empty:
+        gap = behind.distance(shapely.Point(middle)) - half
+        return item._replace(center=item.center + [*(gap * back), 0.0])
     LOG.warning("%s (%s): nothing in its room to stand on; left out", box.id, box.category)
     return None
 

@@ -22,6 +22,8 @@ BEYOND = 0.02
 """What is as wide as a top may stand so far beyond its edge, m: out of the way of what is beside it."""
 EDGE = 0.01
 """Points this far inside the edge are looked at, m."""
+TOUCH = 1e-4
+"""What enters another no deeper, m, touches it: turns are written to four digits."""
 
 
 class Top(NamedTuple):
@@ -68,7 +70,7 @@ def stand(item: Boxes, under: Top, taken: Boxes, floor: Polygon) -> Boxes | None
     for far in (reach, np.maximum(reach, BEYOND)):
         for placed in _spots(item, under, far):
             level, carried = _covered(under, placed)
-            clear = not taken.n or boxes.penetration(placed, taken).max() <= 1e-9
+            clear = not taken.n or boxes.penetration(placed, taken).max() <= TOUCH
             within = (far is reach and (spare >= 0).all()) or floor.covers(boxes.footprints(placed)[0])
             if level and carried > 0.6 and clear and within:
                 return placed
