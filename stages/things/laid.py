@@ -28,9 +28,15 @@ def _herringbone(rng: np.random.Generator, size: int, color: Array) -> Array:
 def _hexagons(rng: np.random.Generator, size: int, color: Array) -> Array:
     x, y = grid(size)
     columns, rows = 7, 8
-    middles = [((c + 0.5 * (r % 2)) / columns, (r + 0.25) / rows) for r in range(rows) for c in range(columns)]
-    far = np.sort([np.hypot((x - a + 0.5) % 1 - 0.5, (y - b + 0.5) % 1 - 0.5) for a, b in middles], axis=0)[:2]
-    joint = far[1] - far[0] < 0.016
+    first, second = np.full((size, size), np.inf), np.full((size, size), np.inf)
+    for a, b in [((c + 0.5 * (r % 2)) / columns, (r + 0.25) / rows) for r in range(rows) for c in range(columns)]:
+        # No pixel's nearest two middles are as far away as two rows.
+        u, v = (x[0] - a + 0.5) % 1 - 0.5, (y[:, 0] - b + 0.5) % 1 - 0.5
+        near = np.ix_(np.abs(v) < 2 / rows, np.abs(u) < 2 / rows)
+        far = np.hypot(u[near[1]], v[near[0]])
+        second[near] = np.minimum(second[near], np.maximum(first[near], far))
+        first[near] = np.minimum(first[near], far)
+    joint = second - first < 0.016
     return lit(color, np.where(joint, -0.22, 0.02 * noise(rng, size, 0.08)))
 
 
