@@ -14,7 +14,7 @@ from apartgen.stages.qa import marks
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.drafts import asked
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.plain import told_apart
+from apartgen.stages.qa.plain import on_pillow, told_apart
 from apartgen.stages.scene.folder import add
 
 PACKAGE = "apartgen.stages.qa.kinds"
@@ -27,7 +27,10 @@ def every_kind() -> dict[str, str]:
 
 def run(home: Layout, render: Render, config: QaConfig, rng: np.random.Generator) -> list[Question]:
     """Questions about a home that the views of it answer; BadInput for an unknown kind."""
-    facts = Facts(home, render, marks.dealt(render, told_apart(home), seeds.lane(rng, "marks")))
+    objects = {o.id: o for o in home.objects}
+    numbers = marks.dealt(render, told_apart(home), seeds.lane(rng, "marks"),
+                          lambda id, view, pixel: not on_pillow(objects[id], view, pixel))
+    facts = Facts(home, render, numbers)
     found: list[Question] = []
     for name in config.kind or every_kind():
         lane = seeds.lane(rng, name)

@@ -10,8 +10,8 @@ from apartgen.stages.space import boxes, polygons
 
 FARTHEST = 12.0
 """How far ahead is looked, m."""
-MIDDLE, SAME = 0.2, 0.1
-"""Share of a thing's width that is its middle, and how much further it may be there, m."""
+THIRDS, SAME = (-2 / 3, 0.0, 2 / 3), 0.1
+"""Middles of the thirds of a thing's width, as shares of half of it, and how much further it may be ahead of one, m."""
 THIN = 0.1
 """What is lower lies on the floor and is in nobody's way, m."""
 WALL = 0.2
@@ -21,13 +21,14 @@ _SKIN = 0.02  # m, by which what only touches the side of the way is left out
 
 def before(facts: Facts, id: str) -> tuple[float, str] | None:
     """How far it is to the first thing or the wall, m, and which thing; empty for a wall. None where what comes first
-    is not the same before the thing's middle and over its whole width.
+    is not the same before every third of its width.
 
     Things are met that reach into the thing's own height.
     """
     half = facts.objects[id].size[1] / 2
-    whole, middle = (_first(facts, id, wide) for wide in (half - _SKIN, MIDDLE * half))
-    return whole if whole[1] == middle[1] and middle[0] - whole[0] < SAME else None
+    whole = _first(facts, id, 0.0, half - _SKIN)
+    thirds = [_first(facts, id, middle * half, half / 3 - _SKIN) for middle in THIRDS]
+    return whole if all(met == whole[1] and far - whole[0] < SAME for far, met in thirds) else None
 
 
 def parted(facts: Facts, id: str, far: float) -> bool:
@@ -41,10 +42,10 @@ def parted(facts: Facts, id: str, far: float) -> bool:
     return any(way.intersects(shape) for shape in (*(LineString(hole.segment) for hole in holes), *leaves))
 
 
-def _first(facts: Facts, id: str, half: float) -> tuple[float, str]:
-    """What comes first so far to both sides of the middle."""
+def _first(facts: Facts, id: str, middle: float, half: float) -> tuple[float, str]:
+    """What comes first so far to both sides of a line ahead, which is `middle` to the left of the thing's own."""
     o = facts.objects[id]
-    strip = boxes.spread(boxes.of([o]), [[o.size[0] / 2, -half, 0]], [[FARTHEST, half, 1]])
+    strip = boxes.spread(boxes.of([o]), [[o.size[0] / 2, middle - half, 0]], [[FARTHEST, middle + half, 1]])
     way: Polygon = boxes.footprints(strip)[0]
     heading = np.array([np.cos(o.yaw), np.sin(o.yaw)])
     face = float(np.array(o.center[:2]) @ heading) + o.size[0] / 2

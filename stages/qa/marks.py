@@ -1,6 +1,6 @@
 """Numbers on things in pictures: a question that means "the thing marked 3" tells nothing of it by its words."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -18,15 +18,21 @@ MOST = 12
 """Numbers in a picture."""
 
 Marks = Mapping[str, Mapping[str, int]]
+Meant = Callable[[str, View, tuple[int, int]], bool]
+"""Whether a number at a pixel of a view means a thing, by its id."""
 
 
-def dealt(render: Render, objects: Iterable[str], rng: np.random.Generator) -> dict[str, dict[str, int]]:
-    """By view at the height of eyes, the number of each object that is seen well; numbers are drawn by chance."""
+def dealt(render: Render, objects: Iterable[str], rng: np.random.Generator,
+          meant: Meant = lambda id, view, pixel: True) -> dict[str, dict[str, int]]:
+    """By view at the height of eyes, the number of each object that is seen well and `meant` by a number at its pixel;
+    numbers are drawn by chance.
+    """
     ids, known = {thing.number: thing.id for thing in render.instances}, set(objects)
     found = {}
     for view in (view for view in render.views if view.kind == "eye"):
         parts = [part for part in view.visible if ids[part.number] in known and part.inmost[2] >= _radius(view)
-                 and part.pixels > COVERS * view.width * view.height]
+                 and part.pixels > COVERS * view.width * view.height
+                 and meant(ids[part.number], view, part.inmost[:2])]
         kept = sorted(parts, key=lambda part: (-part.pixels, part.number))[:MOST]
         numbers = rng.permutation(len(kept)) + 1
         found[view.name] = {ids[part.number]: int(number) for part, number in zip(kept, numbers)}

@@ -1,9 +1,11 @@
 """What pictures show beyond doubt: where they were taken, fronts, counts, how the camera turned."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from math import dist
 
-from apartgen.schemas.layout import Layout
+import numpy as np
+
+from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.render import View
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.qa.facts import Facts
@@ -19,6 +21,8 @@ COUNTED = 0.002
 """Share of a panorama that a thing covers that nobody overlooks."""
 TURNED = 0.08
 """Share of the picture's width by which what stays in sight moves at least when the camera turns."""
+ODD = 1
+"""Things that a room may have although they are seldom in such rooms."""
 LEVEL = 0.5
 """Upward part of a hinge's axis below which it is level."""
 COMPANY = 2
@@ -27,6 +31,10 @@ BESIDE = 0.02
 """Things on others that are no further apart look like one, m."""
 BLANK = ("midcentury",)
 """Styles of the embedded furniture whose fronts are fluted and without handles: nobody sees how many there are."""
+MAY_OPEN = {"mirror", "radiator", "speaker", "tv"}
+"""What on walls and floors does not open and might."""
+LYING, BEDDED = 0.5, 0.1
+"""How high one lies, m, and share of a bed's length behind its middle beyond which pillows may be."""
 UNTOLD = {"bookshelf", "towel_rail", "kitchen_corner"}
 """What shows books or a towel of its own, which one may mean instead, and what looks like a cabinet that opens, its end
 behind the next line of units."""
@@ -44,20 +52,66 @@ def in_its_room(facts: Facts, view: View) -> bool:
 
 
 def could_be(facts: Facts, view: View) -> set[str]:
-    """Types of the home's rooms in which all that a view shows well is at home, so that it may be of one of them; a
-    living room has a bed only where there is no bedroom.
+    """Types of the home's rooms in which all that a view shows well, or all but one thing, is at home, so that it may
+    be of one of them; a living room has a bed only where there is no bedroom.
     """
     shown = [TABLE[facts.objects[id].category] for id, share in facts.shares[view.name].items()
              if id in facts.objects and share > TOLD and facts.objects[id].category in TABLE]
     bedrooms = any(room.base == "bedroom" for room in facts.rooms.values())
     slept = bedrooms and any("sleep" in kind.uses for kind in shown)
     return {facts.type_of(id) for id, room in facts.rooms.items() if (not slept or room.base == "bedroom")
-            and all(not kind.rooms or room.base in kind.rooms for kind in shown)}
+            and sum(bool(kind.rooms) and room.base not in kind.rooms for kind in shown) <= ODD}
 
 
 def tells_its_place(facts: Facts, view: View) -> bool:
     """Whether one finds on a plan where a view was taken: most of it is of its room, and it shows some things there."""
     return in_its_room(facts, view) and len(facts.known(view.name)) >= COMPANY
+
+
+def overhead(o: Box) -> bool:
+    """Whether it hangs from the ceiling, where a picture hardly tells how far away it is."""
+    return o.category in TABLE and TABLE[o.category].place == "ceiling"
+
+
+def flat(o: Box) -> bool:
+    """Whether it lies flat on the floor, perhaps on under what stands there."""
+    return o.category in TABLE and TABLE[o.category].place == "flat"
+
+
+def bounded(facts: Facts, id: str) -> bool:
+    """Whether one sees where a thing ends: not a rug that goes on under others, nor a unit of a kitchen among others,
+    nor leaves over a pot.
+    """
+    kind = TABLE.get(facts.objects[id].category)
+    return kind is None or not (kind.place == "flat" or kind.run or "leaves" in kind.symbol)
+
+
+def rests_on(facts: Facts, ids: Iterable[str]) -> bool:
+    """Whether one of these stands or lies on another, as a throw on a bed."""
+    some = set(ids)
+    return any(facts.objects[id].on in some for id in some)
+
+
+def may_open(o: Furnishing) -> bool:
+    """Whether one may think that something of a thing opens that does not: machines on tops have lids, mirrors may be
+    doors.
+    """
+    kind = TABLE.get(o.category)
+    return not o.joints and (kind is None or kind.place == "top" or o.category in MAY_OPEN)
+
+
+def on_pillow(o: Box, view: View, pixel: Sequence[int]) -> bool:
+    """Whether a pixel, column and row, of a bed may show its pillows or its head."""
+    kind = TABLE.get(o.category)
+    if kind is None or "sleep" not in kind.uses or "bed" not in kind.symbol or view.intrinsics is None:
+        return False
+    fx, fy, cx, cy = view.intrinsics
+    pose = np.array(view.pose)
+    ray = pose[:3, :3] @ [(pixel[0] + 0.5 - cx) / fx, (pixel[1] + 0.5 - cy) / fy, 1.0]
+    lying = o.center[2] - o.size[2] / 2 + LYING
+    far = (lying - pose[2, 3]) / ray[2] if ray[2] < 0 else 0.0
+    ahead = float(((pose[:3, 3] + far * ray)[:2] - o.center[:2]) @ [np.cos(o.yaw), np.sin(o.yaw)])
+    return ray[2] >= 0 or ahead < -BEDDED * o.size[0]
 
 
 def told_apart(home: Layout) -> list[str]:

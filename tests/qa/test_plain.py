@@ -272,3 +272,56 @@ def test_a_way_has_three_doors_at_most_behind_the_entrance(monkeypatch, doors, a
     monkeypatch.setattr(Facts, "above", lambda self: ["above"])
     monkeypatch.setattr(Facts, "way", lambda self, a, b: [door] * doors)
     assert bool(route.ask(found, np.random.default_rng(0), 8)) == asked
+
+
+@pytest.mark.parametrize(("low", "high", "asked"), [(0.3, 1.7, True), (0.3, 1.1, False), (0.9, 1.1, False)])
+def test_what_is_ahead_is_ahead_of_every_third_of_a_front(low, high, asked):
+    """A cabinet from y .4 to 1.6 looks east at a block; a third that is free shows what is behind."""
+    cabinet = h.thing("sideboard", 0.5, 1, size=(0.4, 1.2, 0.8), id="cabinet")
+    block = h.thing("dining_table", 2, (low + high) / 2, size=(0.6, high - low, 0.7), id="block")
+    found = fronts.before(facts([{"cabinet": (900, ALL)}], [cabinet, block]), "cabinet")
+    assert (found == (pytest.approx(1.0), "block")) if asked else found is None
+
+
+@pytest.mark.parametrize(("category", "yes"), [
+    ("sofa", True), ("double_bed", True), ("rug", False), ("plant", False), ("kitchen_base", False),
+    ("dishwasher", False)])
+def test_lengths_are_not_asked_of_what_goes_on_unseen(category, yes):
+    assert plain.bounded(facts([], [h.thing(category, 1, 1, id="it")]), "it") == yes
+
+
+@pytest.mark.parametrize(("category", "yes"), [
+    ("sofa", False), ("dining_table", False), ("mirror", True), ("table_lamp", True), ("radiator", True)])
+def test_how_it_opens_is_not_asked_of_what_one_may_think_opens(category, yes):
+    assert plain.may_open(h.thing(category, 1, 1)) == yes
+    joint = Joint(name="a", type="hinge", axis=(0, 0, 1), origin=(0, 0, 0), range=(0, 1), part="hinge_door")
+    assert not plain.may_open(h.thing(category, 1, 1, joints=(joint,)))
+
+
+@pytest.mark.parametrize(("category", "row", "yes"), [
+    ("double_bed", 70, False), ("double_bed", 60, True), ("double_bed", 40, True), ("sofa", 60, False)])
+def test_a_number_on_a_pillow_does_not_mean_the_bed(category, row, yes):
+    """From (2, 1.5, 1.2) northward a bed from y 3.5 to 5.5, its foot ahead: rows 70 and 60 meet it at 3.55 and 5.5."""
+    bed = h.thing(category, 2, 4.5, yaw=-pi / 2, size=(2.0, 1.6, 0.6), id="it")
+    found = facts([{"it": (900, ALL)}], [bed])
+    assert plain.on_pillow(bed, found.eyes[0], (50, row)) == yes
+
+
+def test_what_lies_on_another_is_not_compared_with_it():
+    stand, tv, chair = h.thing("tv_stand", 1, 1), h.thing("tv", 1, 1, id="tv"), h.thing("chair", 3, 1, id="chair")
+    tv.on = stand.id
+    found = facts([], [stand, tv, chair])
+    assert plain.rests_on(found, [stand.id, "tv"]) and not plain.rests_on(found, ["tv", "chair"])
+
+
+@pytest.mark.parametrize(("wide", "yes"), [(0.3, True), (1.6, False)])
+def test_a_direction_is_that_of_all_of_a_thing(monkeypatch, wide, yes):
+    """From a plant towards a shelf due east, a table over y 1.95 to 2.25, or one that crosses the line at 1.5."""
+    things = [h.thing("floor_lamp", 0.6, 1.5, id="lamp"), h.thing("bookshelf", 3.4, 1.5, id="shelf"),
+              h.thing("desk", 2.6, 2.1, size=(0.5, wide, 0.7), id="desk")]
+    monkeypatch.setattr(Facts, "uncut", lambda self, view, least: set(self.objects))
+    monkeypatch.setattr(direction, "shared", lambda drafts, rng, most: drafts)
+    found = facts([{o.id: (900, ALL) for o in things}], things)
+    asked = [draft.answer for draft in direction.ask(found, np.random.default_rng(0), 99)
+             if draft.evidence == {"at": "lamp", "facing": "shelf", "of": "desk"}]
+    assert asked == ["ahead to the left"] * yes

@@ -6,6 +6,7 @@ import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import MOSTLY, Facts, marked, metres
+from apartgen.stages.qa.plain import bounded
 
 NEAREST = 0.4
 """What is nearer is not asked for, m."""
@@ -16,7 +17,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     drafts = []
     for view, numbers in facts.marks.items():
         seen = facts.uncut(view, MOSTLY)
-        for a, b in combinations((id for id in numbers if id in seen), 2):
+        for a, b in combinations((id for id in numbers if id in seen and bounded(facts, id)), 2):
             far = facts.apart(a, b)
             if far > NEAREST and facts.objects[a].room == facts.objects[b].room:
                 one, other = sorted((numbers[a], numbers[b]))

@@ -7,10 +7,9 @@ from math import atan2, degrees, dist
 import numpy as np
 from shapely import get_coordinates
 
-from apartgen.schemas.layout import Box
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.things.categories import TABLE
+from apartgen.stages.qa.plain import flat, overhead
 
 NEAREST = 0.8
 """Things nearer to where one stands have no clear direction, m."""
@@ -26,7 +25,8 @@ Place = tuple[float, float]
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """By the middles of three things of one room, from the middle of the first, which stands on the floor, and from
-    everywhere beside it; the second does not hang overhead.
+    everywhere beside it, and to all of the third; the second does not hang overhead, and no rug is meant, which may go
+    on under something.
     """
     known = {view.name: facts.known(view.name) for view in facts.eyes}
     triples = [three for room in facts.rooms for three in permutations(facts.named_in(room), 3)]
@@ -35,11 +35,14 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         at, to, of = triples[k]
         here, there, where = (facts.objects[id].center[:2] for id in triples[k])
         near = min(dist(here, there), dist(here, where)) < NEAREST
-        if near or not facts.stands(at) or _overhead(facts.objects[to]):
+        unclear = overhead(facts.objects[to]) or flat(facts.objects[to]) or flat(facts.objects[of])
+        if near or unclear or not facts.stands(at):
             continue
         quarter, rest = _quarter(here, there, where)
         around = get_coordinates(facts.print(at).buffer(BESIDE, join_style="mitre"))
-        if any(_quarter((x, y), there, where)[0] != quarter for x, y in around.tolist()):
+        ends = get_coordinates(facts.print(of))
+        if any(_quarter((x, y), there, where)[0] != quarter for x, y in around.tolist()) \
+                or any(_quarter(here, there, (x, y))[0] != quarter for x, y in ends.tolist()):
             continue
         if SLACK < rest < 90 - SLACK and (images := _pictures(known, triples[k])):
             names = facts.names
@@ -56,10 +59,6 @@ def _pictures(known: Mapping[str, set[str]], three: Iterable[str]) -> list[str]:
         if wanted <= set.union(*seen) and set.intersection(*seen):
             return list(names)
     return []
-
-
-def _overhead(o: Box) -> bool:
-    return o.category in TABLE and TABLE[o.category].place == "ceiling"
 
 
 def _quarter(here: Place, there: Place, where: Place) -> tuple[float, float]:

@@ -6,9 +6,10 @@ import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, balanced
 from apartgen.stages.qa.facts import MOSTLY, Facts, marked
+from apartgen.stages.qa.plain import bounded
 
 WIDTH = 0.5
-NARROW, WIDE = 0.4, 0.65
+NARROW, WIDE = 0.3, 0.8
 """Gaps between these are not asked for, m."""
 HIGHEST = 1.2
 """What hangs higher is in no robot's way, m."""
@@ -33,4 +34,5 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
 
 def _low(facts: Facts, id: str) -> bool:
     o = facts.objects[id]
-    return o.on in (None, "floor") and o.center[2] - o.size[2] / 2 < HIGHEST and o.size[2] > 0.1
+    low = o.on in (None, "floor") and o.center[2] - o.size[2] / 2 < HIGHEST and o.size[2] > 0.1
+    return low and bounded(facts, id)

@@ -15,7 +15,7 @@ SCRAP = 0.35
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """The first thing straight ahead of its front, over its whole width, among others of the same picture, which shows
-    most of it and, of what opens, the front.
+    most of it and, of what opens, the front; nothing that is drawn up under what it meets.
     """
     drafts = []
     for view, numbers in facts.marks.items():
@@ -24,7 +24,8 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             ahead = before(facts, id) if facts.objects[id].room in facts.rooms else None
             met = ahead[1] if ahead else ""
             others = [other for other in numbers if other not in (id, met) and facts.objects[other].size[2] > THIN]
-            if met in numbers and met in facts.uncut(view, SCRAP) and len(others) >= WRONG - 1:
+            under = met in numbers and facts.print(id).intersects(facts.print(met))
+            if met in numbers and met in facts.uncut(view, SCRAP) and len(others) >= WRONG - 1 and not under:
                 wrong = tuple(marked(numbers[others[k]]) for k in rng.permutation(len(others))[:WRONG])
                 text = f"What does one meet first straight ahead of the front of {marked(numbers[id])}?"
                 drafts.append(facts.numbered(view, text, marked(numbers[met]), {"object": id, "met": met}, wrong,

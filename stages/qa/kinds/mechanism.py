@@ -5,7 +5,7 @@ import numpy as np
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.plain import hides_how
+from apartgen.stages.qa.plain import hides_how, may_open
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
@@ -14,7 +14,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     drafts = []
     for it in facts.marked:
         o = facts.objects[it.id]
-        if isinstance(o, Furnishing) and facts.fine(it) and not hides_how(o):
+        if isinstance(o, Furnishing) and facts.fine(it) and not hides_how(o) and not may_open(o):
             ways = {_way(joint.type, joint.axis) for joint in o.joints}
             answer = " and ".join(sorted(ways)) or "it has none"
             text = f"How do the doors, drawers, flaps and lids of {it} open?"
