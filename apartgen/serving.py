@@ -88,7 +88,7 @@ def _home(request: Request) -> Artifact[Any]:
 
 
 def _told(made: Artifact[Any]) -> dict[str, Any]:
-    return {"home": json.loads(artifact.finish(made.body, made.made)[0])}
+    return {"home": json.loads(artifact.line_of(made.body, made.made))}
 
 
 def _plan(request: Request) -> dict[str, Any]:

@@ -89,7 +89,7 @@ def planned(text: str, seed: int, settings: Mapping[str, Any]) -> Artifact[Plan]
     config, began = configured(PlanSettings, settings), perf_counter()
     drawn, used = draw(checked(text), config, seed)
     record = made("plan", seed, config, seconds=perf_counter() - began).model_copy(update={"model": used})
-    return artifact.finish(drawn, record)[1]
+    return artifact.settled(drawn, record)
 
 
 def advanced(step: Step, home: Home, seed: int | None, settings: Mapping[str, Any]) -> Artifact[Any]:
@@ -102,4 +102,4 @@ def advanced(step: Step, home: Home, seed: int | None, settings: Mapping[str, An
         raise outcome
     if short := step.missed(outcome, config):
         raise short
-    return artifact.finish(outcome, made(step.word, used, config, read, perf_counter() - began, step.data(config)))[1]
+    return artifact.settled(outcome, made(step.word, used, config, read, perf_counter() - began, step.data(config)))

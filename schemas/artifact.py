@@ -11,7 +11,6 @@ import hashlib
 import json
 import sys
 from dataclasses import dataclass
-from math import isfinite
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -138,13 +137,43 @@ def finish(body: Body, made: Made) -> tuple[str, Artifact[Body]]:
 
     Stages are handed what a file would hold, so that running them apart or together gives the same.
     """
-    kind = kind_of(body)
-    record = {"apartgen": kind, "version": VERSION,
+    record = _record(body, made)
+    read = _settled(record, type(body))
+    return _text(record) + "\n", read
+
+
+def settled(body: Body, made: Made) -> Artifact[Body]:
+    """The same artifact without the text, which takes as long as all the rest."""
+    return _settled(_record(body, made), type(body))
+
+
+def line_of(body: Record, made: Made) -> str:
+    """The text to write on one line."""
+    return _compact(_record(body, made)) + "\n"
+
+
+def _record(body: Record, made: Made) -> dict[str, Any]:
+    """What a file holds, numbers rounded."""
+    record = {"apartgen": kind_of(body), "version": VERSION,
               "made": made.model_dump(mode="json", by_alias=True, exclude=set() if made.id else {"id"}),
               "body": body.model_dump(mode="json", by_alias=True)}
-    text = _text(record) + "\n"
+    return {name: _rounded(value) for name, value in record.items()}
+
+
+def _rounded(value: Any) -> Any:
+    if isinstance(value, float):
+        return round(value, DECIMALS) + 0.0  # no negative zero
+    if isinstance(value, dict):
+        return {name: _rounded(item) for name, item in value.items()}
+    if isinstance(value, list):
+        return [round(item, DECIMALS) + 0.0 if type(item) is float else _rounded(item) for item in value]
+    return value
+
+
+def _settled(record: dict[str, Any], of: type[Body]) -> Artifact[Body]:
+    kind = record["apartgen"]
     try:
-        return text, _validated(text.encode(), kind, kind, type(body), _digest(json.loads(text)))
+        return _validated(_compact(record), kind, kind, of, _digest(record))
     except BadInput as error:
         raise RuntimeError(f"the {kind} stage made an inconsistent artifact: {error}") from error
 
@@ -265,25 +294,20 @@ _QUOTED = json.encoder.encode_basestring
 """A string in JSON."""
 _LINED = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 """JSON on one line; `json.dumps` would make an encoder anew for each of thousands of values."""
+_compact = json.JSONEncoder(ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode
 
 
 def _text(value: Any, indent: int = 0) -> str:
-    """JSON with numbers rounded, and short containers, and long rows of numbers, on one line."""
+    """JSON with short containers, and long rows of numbers, on one line."""
     if isinstance(value, str):
         return _QUOTED(value)
-    if isinstance(value, float):
-        return _number(value)
     if isinstance(value, dict):
         return _laid([f"{_QUOTED(key)}: {_text(item, indent + 1)}" for key, item in value.items()], "{}", indent)
     if not isinstance(value, list):
         return _LINED(value)
-    rows = [_number(item) if type(item) is float else _text(item, indent + 1) for item in value]
+    rows = [repr(item) if type(item) is float else _text(item, indent + 1) for item in value]
     flat = _CONTAINERS.isdisjoint(map(type, value))
     return f"[{', '.join(rows)}]" if flat else _laid(rows, "[]", indent)
-
-
-def _number(value: float) -> str:
-    return repr(round(value, DECIMALS) + 0.0) if isfinite(value) else _LINED(value)  # no negative zero
 
 
 def _laid(rows: list[str], ends: str, indent: int) -> str:

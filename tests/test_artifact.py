@@ -14,7 +14,18 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from apartgen.schemas import artifact, consistency, migrations
-from apartgen.schemas.artifact import BODIES, Made, finish, json_schema, parse, read, write
+from apartgen.schemas.artifact import (
+    BODIES,
+    Made,
+    as_line,
+    finish,
+    json_schema,
+    line_of,
+    parse,
+    read,
+    settled,
+    write,
+)
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.export import Export, File
 from apartgen.schemas.layout import Layout
@@ -341,3 +352,16 @@ def test_corners_less_than_a_millimetre_apart_are_one(short, proper):
 def test_homes_are_neither_far_away_nor_wide_along_either_axis(x, y, words):
     told = consistency.too_wide([(0.0, 0.0), (x, y), (1.0, 1.0)])
     assert words in told and bool(told) == bool(words)
+
+
+def test_an_artifact_without_its_text_is_the_one_with_it():
+    """To six digits, no zero negative; on one line the same as on many."""
+    made = Made(by="test", seed=1, config={"at": [1 / 3, -1e-9, 2.0, 7, True, None, "0.1234567890"],
+                                           "": {"x": [[1e22]]}})
+    text, there = finish(walkable(), made)
+    assert settled(walkable(), made) == there
+    line = line_of(walkable(), made)
+    assert line == as_line(text) and line.count("\n") == 1
+    at = json.loads(line)["made"]["config"]["at"]
+    assert at == [0.333333, 0, 2.0, 7, True, None, "0.1234567890"] and "-0.0" not in line
+    assert there.digest == parse(text.encode(), "file", Walkable).digest

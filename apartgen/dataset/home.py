@@ -89,7 +89,7 @@ def _drawn(asked: Asked, seed: int) -> Done:
             read, digests = _made(asked._replace(seed=seed), seconds)
         row |= {"said": said} if said else {}
         row |= {"kind": read.kind, "by": read.made.by, "digests": digests, **_judged(read, seconds)}
-        line = artifact.as_line(artifact.finish(read.body, read.made)[0]).encode()
+        line = artifact.line_of(read.body, read.made).encode()
     except ApartgenError as error:
         line = b""
         row |= {"error": str(error), "status": error.exit_code}
@@ -137,14 +137,14 @@ def _plan(asked: Asked, config: Any) -> Artifact[Any]:
     drawn, used = planning.draw(asked.request.prompt, config.model_copy(update={"processes": 1}), asked.seed,
                                 asked.request.id)
     record = made("plan", asked.seed, config).model_copy(update={"id": asked.request.id, "model": used})
-    return artifact.finish(drawn, record)[1]
+    return artifact.settled(drawn, record)
 
 
 def _next(step: Step, read: Artifact[Any], config: Record, seed: int) -> Artifact[Any]:
     outcome = next(iter(step.advance([step.taken(read).body], config, [lane(seed, step.word, read.body)])))
     if isinstance(outcome, ApartgenError):
         raise type(outcome)(f"{step.word}: {outcome}")
-    return artifact.finish(outcome, made(step.word, seed, config, read, data=step.data(config)))[1]
+    return artifact.settled(outcome, made(step.word, seed, config, read, data=step.data(config)))
 
 
 def _data(step: Step, config: Record) -> dict[str, str]:
