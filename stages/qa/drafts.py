@@ -145,6 +145,6 @@ def _difficulty(draft: Draft) -> Difficulty:
     return "easy" if score <= 0 else "medium" if score <= 2 else "hard"
 
 
-def far_enough(values: Sequence[float], value: float, ratio: float = 1.5, least: float = 0.25) -> bool:
+def far_enough(values: Sequence[float], value: float, ratio: float = 1.7, least: float = 0.25) -> bool:
     """Whether a number can be told from others by eye."""
     return all(max(v, value) > ratio * min(v, value) and abs(v - value) > least for v in values)

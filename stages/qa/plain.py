@@ -4,11 +4,15 @@ from collections.abc import Iterable, Sequence
 from math import dist
 
 import numpy as np
+import shapely
+from shapely.geometry import LineString, Point
 
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.render import View
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.qa.facts import Facts
+from apartgen.stages.qa.whole import BEFORE
+from apartgen.stages.space import polygons
 from apartgen.stages.things.carrying import by_another
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike
@@ -31,6 +35,10 @@ BESIDE = 0.02
 """Things on others that are no further apart look like one, m."""
 BLANK = ("midcentury",)
 """Styles of the embedded furniture whose fronts are fluted and without handles: nobody sees how many there are."""
+DOORWAY = 0.6
+"""Who is no farther from a door or a passage may be said to be in either room, m."""
+SPOT = 0.1
+"""Floor is looked at in squares of so much, m."""
 MAY_OPEN = {"mirror", "radiator", "speaker", "tv"}
 """What on walls and floors does not open and might."""
 LYING, BEDDED = 0.5, 0.1
@@ -64,8 +72,13 @@ def could_be(facts: Facts, view: View) -> set[str]:
 
 
 def tells_its_place(facts: Facts, view: View) -> bool:
-    """Whether one finds on a plan where a view was taken: most of it is of its room, and it shows some things there."""
-    return in_its_room(facts, view) and len(facts.known(view.name)) >= COMPANY
+    """Whether one finds on a plan where a view was taken: most of it is of its room, it shows some things there, and it
+    was not taken in a doorway.
+    """
+    eye = Point(view.eye[:2])
+    ways = [LineString(o.segment) for o in facts.home.openings if o.kind in polygons.PASSAGES]
+    between = any(way.distance(eye) < DOORWAY for way in ways)
+    return in_its_room(facts, view) and len(facts.known(view.name)) >= COMPANY and not between
 
 
 def overhead(o: Box) -> bool:
@@ -90,6 +103,26 @@ def rests_on(facts: Facts, ids: Iterable[str]) -> bool:
     """Whether one of these stands or lies on another, as a throw on a bed."""
     some = set(ids)
     return any(facts.objects[id].on in some for id in some)
+
+
+def in_sight(facts: Facts, room: str, view: View) -> float:
+    """Share of a room's floor that a camera has straight before it or behind, with no corner of the room between."""
+    floor = polygons.floor(facts.rooms[room])
+    low_x, low_y, high_x, high_y = floor.bounds
+    x, y = np.meshgrid(np.arange(low_x, high_x, SPOT) + SPOT / 2, np.arange(low_y, high_y, SPOT) + SPOT / 2)
+    spots = np.column_stack([x.ravel(), y.ravel()])
+    spots = spots[shapely.contains_xy(floor, *spots.T)]
+    eye = np.broadcast_to(np.array(view.eye[:2]), spots.shape)
+    ways = shapely.linestrings(np.stack([eye, spots], axis=1))
+    return float(shapely.covers(floor.buffer(EDGE), ways).mean()) if len(spots) else 0.0
+
+
+def edgewise(o: Box, view: View) -> bool:
+    """Whether a view shows what hangs on a wall from so far aside that one hardly knows it."""
+    if o.on != "wall":
+        return False
+    way = np.array(view.eye[:2]) - o.center[:2]
+    return float(way @ [np.cos(o.yaw), np.sin(o.yaw)]) < BEFORE * float(np.linalg.norm(way))
 
 
 def may_open(o: Furnishing) -> bool:

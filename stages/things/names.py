@@ -15,9 +15,10 @@ CALLED = {"utility": "utility room", "storage": "storage room"}
 """Types of rooms that are not called as they are written."""
 LOOKALIKES = ({"basin", "sink"}, {"worktop", "table"})
 """Symbols of things that look much alike, cabinets with something to wash in, and tables at walls."""
-SIMILAR = ({"mirror", "picture"}, {"plant", "succulent"})
+SIMILAR = ({"mirror", "picture"}, {"plant", "succulent"}, {"shelving", "wall_shelf"}, {"shelving", "bookshelf"},
+           {"bin", "laundry_basket"})
 """Categories of things that look alike: what hangs flat on walls, often in a frame, so that a mirror that shows a plain
-wall is taken for a picture, and what grows."""
+wall is taken for a picture, what grows, boards on uprights and on walls, and what things are thrown into."""
 
 
 def spoken(category: str) -> str:

@@ -325,3 +325,34 @@ def test_a_direction_is_that_of_all_of_a_thing(monkeypatch, wide, yes):
     asked = [draft.answer for draft in direction.ask(found, np.random.default_rng(0), 99)
              if draft.evidence == {"at": "lamp", "facing": "shelf", "of": "desk"}]
     assert asked == ["ahead to the left"] * yes
+
+
+@pytest.mark.parametrize(("eye", "share"), [((0.5, 0.5), 1.0), ((3.5, 0.5), 0.82)])
+def test_floor_round_a_corner_is_not_in_sight(eye, share):
+    """An L of 4 x 1 m and, north of its west end, 1 x 1 m more; from the east end the corner at (1, 1) hides a part:
+    what lies north of the line from (3.5, .5) through it, which meets the west wall at y 1.2.
+    """
+    found = facts([{SOFA.id: (900, ALL)}], [SOFA])
+    room = found.rooms[h.LIVING].model_copy(update={"polygon": [(0, 0), (4, 0), (4, 1), (1, 1), (1, 2), (0, 2)]})
+    found.__dict__["rooms"] = {h.LIVING: room}
+    pose = ((1, 0, 0, eye[0]), (0, 0, 1, eye[1]), (0, -1, 0, 1.2), (0, 0, 0, 1))
+    view = found.eyes[0].model_copy(update={"pose": pose})
+    assert plain.in_sight(found, h.LIVING, view) == pytest.approx(share, abs=0.02)
+
+
+@pytest.mark.parametrize(("on", "x", "yes"), [("wall", 2.5, False), ("wall", 0.3, True), ("floor", 0.3, False)])
+def test_what_hangs_is_known_from_before_it(on, x, yes):
+    """On a wall at y 1.9 that looks south to an eye at (2, 1.5), .4 m before it."""
+    found, mirror = facts([{SOFA.id: (900, ALL)}], [SOFA]), h.thing("mirror", x, 1.9, yaw=-pi / 2)
+    mirror.on = on
+    assert plain.edgewise(mirror, found.eyes[0]) == yes
+
+
+@pytest.mark.parametrize(("x", "yes"), [(2.0, True), (3.6, False)])
+def test_a_place_in_a_doorway_is_in_no_room(monkeypatch, x, yes):
+    """The door is at (4.05, 1.45)."""
+    some = [h.thing(name, 1 + k, 1) for k, name in enumerate(("sofa", "plant", "bookshelf"))]
+    monkeypatch.setattr(Facts, "uncut", lambda self, view, least: set(self.objects))
+    found = facts([{f"floor_{h.LIVING}": (9000, ALL)} | {o.id: (300, ALL) for o in some}], some)
+    pose = ((1, 0, 0, x), (0, 0, 1, 1.5), (0, -1, 0, 1.2), (0, 0, 0, 1))
+    assert plain.tells_its_place(found, found.eyes[0].model_copy(update={"pose": pose})) == yes

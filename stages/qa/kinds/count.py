@@ -18,16 +18,20 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Of the rooms of panoramas that show all of them, none of another room, and nothing that one may take for them;
     each kind has several answers. Cloth is not counted, a curtain may be two, nor what is part of a kitchen, a
     dishwasher may look like a cabinet, nor mirrors, which one overlooks where they show tiles before tiles, nor what
-    has its name of two things.
+    has its name of two things, nor what is named by how it opens.
     """
     known = {o.category for o in facts.home.objects if o.category in TABLE}
-    kinds = sorted({spoken(name) for name in known if not (TABLE[name].soft or TABLE[name].run or name in OVERLOOKED)})
+    kinds = sorted({spoken(name) for name in known if _plain(name)})
     asked = [_of(facts, kinds[k]) for k in rng.permutation(len(kinds))]
     found: list[Draft] = []
     for drafts in sorted(asked, key=lambda some: -len({draft.answer for draft in some})):
         if len(found) < most:
             found += shared(drafts, rng, most - len(found))
     return found
+
+
+def _plain(name: str) -> bool:
+    return not (TABLE[name].soft or TABLE[name].run or TABLE[name].opens == "sliding" or name in OVERLOOKED)
 
 
 def _called(facts: Facts, kind: str) -> set[str]:

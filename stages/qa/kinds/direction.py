@@ -7,9 +7,11 @@ from math import atan2, degrees, dist
 import numpy as np
 from shapely import get_coordinates
 
+from apartgen.schemas.layout import Box
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.plain import flat, overhead
+from apartgen.stages.qa.plain import edgewise, flat, overhead
+from apartgen.stages.things.categories import TABLE
 
 NEAREST = 0.8
 """Things nearer to where one stands have no clear direction, m."""
@@ -25,17 +27,18 @@ Place = tuple[float, float]
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """By the middles of three things of one room, from the middle of the first, which stands on the floor, and from
-    everywhere beside it, and to all of the third; the second does not hang overhead, and no rug is meant, which may go
-    on under something.
+    everywhere beside it, and to all of the third; the second does not hang overhead, and no rug nor curtain is
+    meant, which may go on under something, or hang apart.
     """
-    known = {view.name: facts.known(view.name) for view in facts.eyes}
+    known = {view.name: facts.known(view.name) & {o.id for o in facts.clear(view.name) if not edgewise(o, view)}
+             for view in facts.eyes}
     triples = [three for room in facts.rooms for three in permutations(facts.named_in(room), 3)]
     drafts = []
     for k in rng.permutation(len(triples))[:MANY]:
         at, to, of = triples[k]
         here, there, where = (facts.objects[id].center[:2] for id in triples[k])
         near = min(dist(here, there), dist(here, where)) < NEAREST
-        unclear = overhead(facts.objects[to]) or flat(facts.objects[to]) or flat(facts.objects[of])
+        unclear = overhead(facts.objects[to]) or any(_loose(facts.objects[id]) for id in (to, of))
         if near or unclear or not facts.stands(at):
             continue
         quarter, rest = _quarter(here, there, where)
@@ -49,6 +52,11 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             text = f"You stand by {names[at]} and face {names[to]}. Where is {names[of]}?"
             drafts.append(Draft(text, QUARTERS[int(quarter)], images, {"at": at, "facing": to, "of": of}, hard=2))
     return shared(drafts, rng, most)
+
+
+def _loose(o: Box) -> bool:
+    """Rugs and curtains, of which one does not see all, or sees two parts."""
+    return flat(o) or o.category in TABLE and TABLE[o.category].soft
 
 
 def _pictures(known: Mapping[str, set[str]], three: Iterable[str]) -> list[str]:

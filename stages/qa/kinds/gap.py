@@ -9,7 +9,7 @@ from apartgen.stages.qa.facts import MOSTLY, Facts, marked
 from apartgen.stages.qa.plain import bounded
 
 WIDTH = 0.5
-NARROW, WIDE = 0.3, 0.8
+NARROW, WIDE = 0.25, 0.85
 """Gaps between these are not asked for, m."""
 HIGHEST = 1.2
 """What hangs higher is in no robot's way, m."""

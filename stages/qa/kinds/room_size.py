@@ -4,15 +4,20 @@ import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
+from apartgen.stages.qa.plain import in_sight
 from apartgen.stages.space import polygons
+
+SEEN = 0.95
+"""Share of a room's floor that is in sight of where its panorama was taken, at least."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """The clear floor of the room of a panorama."""
+    """The clear floor of the room of a panorama, nothing of it round a corner."""
     drafts = []
     for room in facts.rooms:
         area = polygons.floor(facts.rooms[room]).area
-        if images := facts.room_pictures(room):
+        images = facts.room_pictures(room)
+        if images and in_sight(facts, room, facts.views[images[0]]) > SEEN:
             text = "How large is the floor of the room that this picture shows all around?"
             evidence = {"room": room, "area": round(area, 2)}
             drafts.append(Draft(text, f"{area:.0f} m²", images, evidence, number=area, hard=1))
