@@ -26,6 +26,8 @@ MOSTLY = 0.6
 """Share of its width and height of which a thing shows at least where one knows it and sees how far it reaches."""
 LARGE = 0.025
 """Share of a picture from which one sees into what parts a front is divided."""
+LARGER = 0.04
+"""The same of a kitchen's units, which stand in line."""
 ABOVE = "above"
 
 
@@ -175,7 +177,8 @@ class Facts:
 
     def fine(self, it: "Marked") -> bool:
         """Whether a thing is seen large enough to tell its parts."""
-        return self.shares[it.view][it.id] > LARGE
+        kind = TABLE.get(self.objects[it.id].category)
+        return self.shares[it.view][it.id] > (LARGER if kind is not None and kind.run else LARGE)
 
     def numbered(self, view: str, text: str, answer: str, evidence: dict[str, Any], wrong: tuple[str, ...] = (), *,
                  number: float | None = None, hard: int = 0, more: Sequence[str] = ()) -> Draft:

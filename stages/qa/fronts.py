@@ -10,7 +10,7 @@ from apartgen.stages.space import boxes, polygons
 
 FARTHEST = 12.0
 """How far ahead is looked, m."""
-THIRDS, SAME = (-2 / 3, 0.0, 2 / 3), 0.1
+THIRDS, SAME = (-2 / 3, 0.0, 2 / 3), 0.15
 """Middles of the thirds of a thing's width, as shares of half of it, and how much further it may be ahead of one, m."""
 THIN = 0.1
 """What is lower lies on the floor and is in nobody's way, m."""

@@ -43,9 +43,9 @@ MAY_OPEN = {"mirror", "radiator", "speaker", "tv"}
 """What on walls and floors does not open and might."""
 LYING, BEDDED = 0.5, 0.1
 """How high one lies, m, and share of a bed's length behind its middle beyond which pillows may be."""
-UNTOLD = {"bookshelf", "towel_rail", "kitchen_corner"}
-"""What shows books or a towel of its own, which one may mean instead, and what looks like a cabinet that opens, its end
-behind the next line of units."""
+UNTOLD = {"bookshelf", "towel_rail", "kitchen_corner", "sliding_wardrobe"}
+"""What shows books or a towel of its own, which one may mean instead, what looks like a cabinet that opens, its end
+behind the next line of units, and what may show nothing but a mirror."""
 EDGE = 0.02
 """What reaches so far over a rug stands on it, m."""
 COMMON = 0.004
@@ -127,9 +127,11 @@ def edgewise(o: Box, view: View) -> bool:
 
 def may_open(o: Furnishing) -> bool:
     """Whether one may think that something of a thing opens that does not: machines on tops have lids, mirrors may be
-    doors.
+    doors, fronts below a sink or on a wall are seamless but for a handle that one hardly sees.
     """
     kind = TABLE.get(o.category)
+    if kind is not None and (kind.run in ("fitted", "hung") or kind.run and kind.is_for("rinse")):
+        return True
     return not o.joints and (kind is None or kind.place == "top" or o.category in MAY_OPEN)
 
 
@@ -173,9 +175,11 @@ def at_edge(facts: Facts, id: str, view: str) -> bool:
 
 
 def fronted(facts: Facts, id: str) -> bool:
-    """Whether everybody sees where its front is: what stands on the floor and is no table for people all round."""
+    """Whether everybody sees where its front is: what stands on the floor and is no table for people all round,
+    nor leaves."""
     kind = TABLE.get(facts.objects[id].category)
-    return kind is not None and kind.place == "floor" and "table" not in kind.symbol and facts.faces(id)
+    return kind is not None and kind.place == "floor" and facts.faces(id) \
+        and "table" not in kind.symbol and "leaves" not in kind.symbol
 
 
 def countable(facts: Facts, view: str, ids: Iterable[str]) -> bool:

@@ -6,11 +6,13 @@ from math import atan2, degrees, dist
 
 import numpy as np
 from shapely import get_coordinates
+from shapely.affinity import scale
 
 from apartgen.schemas.layout import Box
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
 from apartgen.stages.qa.plain import edgewise, flat, overhead
+from apartgen.stages.qa.whole import before_front
 from apartgen.stages.things.categories import TABLE
 
 NEAREST = 0.8
@@ -20,17 +22,20 @@ SLACK = 12.0
 QUARTERS = ("ahead to the left", "behind to the left", "behind to the right", "ahead to the right")
 BESIDE = 0.35
 """Somebody who stands by a thing is anywhere about it up to so far from it, m."""
-MANY = 400
+MOST_OF = 0.7
+"""Share of a thing's width and depth that lies to one side, at least."""
+MANY = 800
 
 Place = tuple[float, float]
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """By the middles of three things of one room, from the middle of the first, which stands on the floor, and from
-    everywhere beside it, and to all of the third; the second does not hang overhead, and no rug nor curtain is
+    everywhere beside it, and to most of the third; the second does not hang overhead, and no rug nor curtain is
     meant, which may go on under something, or hang apart.
     """
-    known = {view.name: facts.known(view.name) & {o.id for o in facts.clear(view.name) if not edgewise(o, view)}
+    known = {view.name: facts.known(view.name) & {o.id for o in facts.clear(view.name)
+                                                  if before_front(view, o) and not edgewise(o, view)}
              for view in facts.eyes}
     triples = [three for room in facts.rooms for three in permutations(facts.named_in(room), 3)]
     drafts = []
@@ -43,7 +48,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             continue
         quarter, rest = _quarter(here, there, where)
         around = get_coordinates(facts.print(at).buffer(BESIDE, join_style="mitre"))
-        ends = get_coordinates(facts.print(of))
+        ends = get_coordinates(scale(facts.print(of), MOST_OF, MOST_OF))
         if any(_quarter((x, y), there, where)[0] != quarter for x, y in around.tolist()) \
                 or any(_quarter(here, there, (x, y))[0] != quarter for x, y in ends.tolist()):
             continue
@@ -55,8 +60,8 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
 
 
 def _loose(o: Box) -> bool:
-    """Rugs and curtains, of which one does not see all, or sees two parts."""
-    return flat(o) or o.category in TABLE and TABLE[o.category].soft
+    """Rugs and curtains, of which one does not see all, or sees two parts, and what may be taken for a mirror."""
+    return flat(o) or o.category in TABLE and (TABLE[o.category].soft or TABLE[o.category].opens == "sliding")
 
 
 def _pictures(known: Mapping[str, set[str]], three: Iterable[str]) -> list[str]:
