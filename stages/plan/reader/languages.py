@@ -14,6 +14,8 @@ MOST_KNOWN = 0.6
 """Share of known words from which a sentence is understood, whatever its language."""
 FEW_KNOWN = 0.4
 """Share of known words below which one without small words of a known language is not."""
+ENGLISH = {"flat", "apartment", "house", "home", "bedroom", "bedrooms"}
+"""Words that tell the language of a few words without any small one: "wheelchair accessible flat"."""
 
 
 def understood(prompt: str) -> None:
@@ -32,6 +34,7 @@ def understood(prompt: str) -> None:
     ours = max(sum(text in small for text in texts) for small in _small("read").values())
     ours += any(_is_room(t) for t in tokens if id(t) in counted)  # "1BR, bay window"
     theirs, name = max((sum(text in small for text in texts), name) for name, small in _small("other").items())
+    ours += theirs == 0 and not ENGLISH.isdisjoint(texts)
     plainly = theirs >= 3 and theirs >= 3 * ours
     foreign = theirs >= 2 and theirs > ours and (known < MOST_KNOWN or plainly)
     if foreign or (ours < theirs and known < FEW_KNOWN):

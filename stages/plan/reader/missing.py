@@ -46,12 +46,19 @@ def _lone(said: Said, home: Household) -> bool:
         or home.banned
         or any(phrase.type == "any" and phrase.quantifier in (Det.OTHER, Det.ALL) for phrase in said.rooms)
         or _presumed(said)
+        or _counted_off(said)
         or any(asked.to == "entrance" for asked in said.asked)  # what has an entrance is a home
         or any(e.labels & {Trait.KIDS, Trait.RELATIVE} for e in home.of("bedroom"))
         or (home.of("bedroom") and len(said.unread) > 1)  # what is told of people and purposes is told of a home
         or len(home.of("bedroom")) > 1
     )
     return len(home.rooms) < 3 and not homely
+
+
+def _counted_off(said: Said) -> bool:
+    """`1 bedroom, 1 bathroom`: as flats are advertised, by the numbers of both."""
+    counted = [p.type for p in said.rooms if p.count == 1 and p.quantifier == Det.BARE and not p.negated]
+    return sorted(counted) == ["bathroom", "bedroom"] == sorted(p.type for p in said.rooms)
 
 
 def _presumed(said: Said) -> bool:

@@ -223,3 +223,16 @@ test_rooms_of_babies = as_meant(BABIES)
 ])  # fmt: skip
 def test_requirements_are_told_in_the_language_of_their_prompt(prompt: str, told: list[str]) -> None:
     assert [asked.text for asked in read(prompt).requirements] == told
+
+ONE_EACH = [
+    ("1 bedroom, 1 bathroom", "B H K L W", ""), ("One bedroom and one bathroom.", "B H K L W", ""),
+    ("1 bathroom, 1 bedroom", "B H K L W", ""), ("1 Schlafzimmer, 1 Bad", "B H K L W", ""),
+    ("1 bedroom, 1 bathroom, nothing else", "B W", ""), ("A bedroom and a bathroom.", "B W", ""),
+]  # fmt: skip
+
+test_numbers_of_bedrooms_and_bathrooms_are_of_a_home = as_meant(ONE_EACH)
+
+
+@pytest.mark.parametrize("prompt", ["wheelchair accessible flat", "energy efficient passive house"])
+def test_one_english_word_for_a_home_is_enough(prompt):
+    assert {"bedroom", "kitchen"} <= {room.type for room in read(prompt).rooms} and read(prompt).unread
