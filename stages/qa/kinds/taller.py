@@ -9,7 +9,7 @@ from apartgen.stages.qa.facts import Facts, marked
 from apartgen.stages.things.categories import TABLE
 
 SEEN = 0.72
-"""Share of its width and height of which a thing shows at least; what is taller is so by more than what may be hidden."""
+"""Share of its width and height of which a thing shows at least; the other is shorter than that."""
 MOST, HEADS = 0.7, 0.5
 """Share of the taller one's height that the other's is at most, and where one is a bed, whose head is higher."""
 
