@@ -1,7 +1,7 @@
 """One home of a data set: its request through every stage, and the row that the manifest has of it."""
 
 import logging
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from time import perf_counter
 from typing import Any, NamedTuple
@@ -13,6 +13,7 @@ from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Artifact
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError, BadInput
+from apartgen.schemas.metrics import Value
 from apartgen.stages import check, seeds
 from apartgen.steps import POPULATE, STEPS, Step, lane, made
 
@@ -166,8 +167,15 @@ def _judged(read: Artifact[Any], seconds: dict[str, float]) -> dict[str, Any]:
     values = outputs.measure(read.body, outputs.MetricsSettings()).values
     _lap(seconds, "metrics", began)
     return {"certified": not refusing, "faults": refusing[:3], "notes": len(faults) - len(refusing),
-            "metrics": {value.name: value.value for value in values if value.of == "apartment"},
-            **shape.of(read.body)}
+            "metrics": _named(value for value in values if value.of == "apartment"), **shape.of(read.body)}
+
+
+def _named(values: Iterable[Value]) -> dict[str, float | None]:
+    """Figures by name; of one that is there in several versions the first, the others as `name/version`."""
+    found: dict[str, float | None] = {}
+    for value in values:
+        found[f"{value.name}/{value.version}" if value.name in found else value.name] = value.value
+    return found
 
 
 def _lap(seconds: dict[str, float], word: str, began: float) -> float:

@@ -71,7 +71,7 @@ def _spread(values: np.ndarray) -> dict[str, float]:
 def table(found: dict[str, Any]) -> str:
     """The same for people, as Markdown."""
     lines = [f"{found['homes']} homes, {found['failed']} failed, {found['certified']} certified, "
-             f"{found['drawn_again']} of them drawn again as a draw was thrown away; "
+             f"{found['drawn_again']} of them after a draw was thrown away; "
              f"{found['programmes']} graphs of rooms, {found['prompts']} prompts; "
              f"{found['twins']['homes']} homes in {found['twins']['groups']} groups of twins; "
              f"{found['bytes'] / max(found['homes'], 1) / 1000:.1f} kB and "

@@ -82,3 +82,21 @@ def test_a_home_that_the_judge_refuses_is_taken_only_where_none_is_better(drawn,
     refusals += [[fault]] * 3
     done = home.home(asked())
     assert not done.row["certified"] and json.loads(done.line)["made"]["seed"] == 7
+
+
+def test_a_row_has_every_figure_of_its_home_and_by_its_name_the_first_version():
+    from apartgen import outputs
+    from apartgen.schemas import artifact
+    from apartgen.schemas.base import Record
+
+    done = home.home(asked())
+    body = artifact.parse(done.line, "home", Record, whole=True).body
+    values = [v for v in outputs.measure(body, outputs.MetricsSettings()).values if v.of == "apartment"]
+    first = {v.name: v.value for v in values[::-1]}
+    found = done.row["metrics"]
+    assert len(found) == len(values) and {name: found[name] for name in first} == first
+    several = {v.name for v in values if v.version != "ours"} & {v.name for v in values if v.version == "ours"}
+    assert {"Col_obj", "R_out"} <= several
+    for v in values:
+        assert v.value in (found.get(v.name), found.get(f"{v.name}/{v.version}")), v
+    assert found["Col_obj"] == 0 < found["Col_obj/published"], "chairs stand under tables"
