@@ -41,6 +41,8 @@ SPOT = 0.1
 """Floor is looked at in squares of so much, m."""
 MAY_OPEN = {"mirror", "radiator", "speaker", "tv"}
 """What on walls and floors does not open and might."""
+MORE = {"shower", "dryer", "washing_machine"}
+"""What may open otherwise than it does, or in more places: panes without rails or hinges, machines with a flap."""
 LYING, BEDDED = 0.5, 0.1
 """How high one lies, m, and share of a bed's length behind its middle beyond which pillows may be."""
 UNTOLD = {"bookshelf", "towel_rail", "kitchen_corner", "sliding_wardrobe"}
@@ -130,7 +132,7 @@ def may_open(o: Furnishing) -> bool:
     doors, fronts below a sink or on a wall are seamless but for a handle that one hardly sees.
     """
     kind = TABLE.get(o.category)
-    if kind is not None and (kind.run in ("fitted", "hung") or kind.run and kind.is_for("rinse")):
+    if o.category in MORE or kind is not None and (kind.run in ("fitted", "hung") or kind.run and kind.is_for("rinse")):
         return True
     return not o.joints and (kind is None or kind.place == "top" or o.category in MAY_OPEN)
 

@@ -10,8 +10,9 @@ from apartgen.stages.qa.plain import countable
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike, spoken
 
-OVERLOOKED = {"mirror", "vanity"}
-"""What one sees only by what it shows; what others call something else, as a table to dress at."""
+OVERLOOKED = {"dressing_table", "mirror", "radiator", "vanity"}
+"""What one sees only by what it shows; what others call something else, as a table to dress at;
+what may be behind a sofa."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:

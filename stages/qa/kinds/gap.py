@@ -7,6 +7,7 @@ import numpy as np
 from apartgen.stages.qa.drafts import Draft, balanced
 from apartgen.stages.qa.facts import MOSTLY, Facts, marked
 from apartgen.stages.qa.plain import bounded
+from apartgen.stages.things.categories import TABLE
 
 WIDTH = 0.5
 NARROW, WIDE = 0.25, 0.85
@@ -22,7 +23,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         seen = facts.uncut(view, MOSTLY)
         for a, b in combinations((id for id in numbers if id in seen and _low(facts, id)), 2):
             wide = float(facts.print(a).distance(facts.print(b)))
-            if facts.objects[a].room == facts.objects[b].room and (0.05 < wide < NARROW or WIDE < wide < 1.6):
+            if _apart(facts, a, b) and (0.05 < wide < NARROW or WIDE < wide < 1.6):
                 one, other = sorted((numbers[a], numbers[b]))
                 text = (f"Could a robot {WIDTH * 100:.0f} cm wide pass between {marked(one)} and {marked(other)}, "
                         "if nothing else stood there?")
@@ -30,6 +31,14 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
                 evidence = {"objects": [a, b], "metres": round(wide, 3)}
                 drafts.append(facts.numbered(view, text, right, evidence, (wrong,)))
     return balanced(drafts, rng, most)
+
+
+def _apart(facts: Facts, a: str, b: str) -> bool:
+    """In one room, and not a table before its sofa, which hides the floor between."""
+    one, other = facts.objects[a], facts.objects[b]
+    kinds = [TABLE.get(o.category) for o in (one, other)]
+    low = any(kind is not None and "coffee_table" in kind.lineage for kind in kinds)
+    return one.room == other.room and not (low and any(kind is not None and kind.is_for("sit") for kind in kinds))
 
 
 def _low(facts: Facts, id: str) -> bool:
