@@ -56,9 +56,11 @@ def _lone(said: Said, home: Household) -> bool:
 
 
 def _counted_off(said: Said) -> bool:
-    """`1 bedroom, 1 bathroom`: as flats are advertised, by the numbers of both."""
+    """`1 bedroom, 1 bathroom`, `1 bedroom`: as flats are advertised, by numbers alone."""
     counted = [p.type for p in said.rooms if p.count == 1 and p.quantifier == Det.BARE and not p.negated]
-    return sorted(counted) == ["bathroom", "bedroom"] == sorted(p.type for p in said.rooms)
+    told = said.loose_objects or said.asked or any(p.objects or p.areas or p.bounds for p in said.rooms)
+    alone = counted == ["bedroom"] and not told
+    return (alone or sorted(counted) == ["bathroom", "bedroom"]) and len(counted) == len(said.rooms)
 
 
 def _presumed(said: Said) -> bool:

@@ -227,6 +227,8 @@ def test_requirements_are_told_in_the_language_of_their_prompt(prompt: str, told
 ONE_EACH = [
     ("1 bedroom, 1 bathroom", "B H K L W", ""), ("One bedroom and one bathroom.", "B H K L W", ""),
     ("1 bathroom, 1 bedroom", "B H K L W", ""), ("1 Schlafzimmer, 1 Bad", "B H K L W", ""),
+    ("1 bedroom", "B H K L W", ""), ("One bedroom.", "B H K L W", ""), ("A bedroom.", "B", ""), ("bedroom", "B", ""),
+    ("1 bedroom of 14 m2", "B", "B1=14"), ("One bedroom with a double bed", "B", "B1 has 1 double_bed"),
     ("1 bedroom, 1 bathroom, nothing else", "B W", ""), ("A bedroom and a bathroom.", "B W", ""),
 ]  # fmt: skip
 
