@@ -15,8 +15,10 @@ CALLED = {"utility": "utility room", "storage": "storage room"}
 """Types of rooms that are not called as they are written."""
 LOOKALIKES = ({"basin", "sink"}, {"worktop", "table"})
 """Symbols of things that look much alike, cabinets with something to wash in, and tables at walls."""
-SIMILAR = ({"mirror", "picture"}, {"plant", "succulent"}, {"shelving", "wall_shelf"}, {"shelving", "bookshelf"},
-           {"bin", "laundry_basket"})
+OWNED = ("blanket", "cushion", "throw")
+"""What sofas and beds have of their own, too."""
+SIMILAR = ({"mirror", "picture"}, {"picture", "picture_frame"}, {"plant", "succulent"}, {"shelving", "wall_shelf"},
+           {"shelving", "bookshelf"}, {"bin", "laundry_basket"})
 """Categories of things that look alike: what hangs flat on walls, often in a frame, so that a mirror that shows a plain
 wall is taken for a picture, what grows, boards on uprights and on walls, and what things are thrown into."""
 
@@ -59,8 +61,10 @@ def stands(o: Box) -> bool:
 
 
 def hidden(o: Box) -> bool:
-    """Whether it is fitted among units that may look like it, as a dishwasher is."""
-    return o.category in TABLE and TABLE[o.category].run in ("unit", "fitted")
+    """Whether it is fitted among units that may look like it, as a dishwasher is, or what others have of their own, as
+    sofas have cushions and beds throws.
+    """
+    return o.category in OWNED or o.category in TABLE and TABLE[o.category].run in ("unit", "fitted")
 
 
 def of_rooms(home: Layout) -> dict[str, str]:
@@ -82,13 +86,13 @@ def _tells(o: Box) -> bool:
 
 
 def of_objects(home: Layout, rooms: Mapping[str, str]) -> dict[str, str]:
-    """Larger objects that can be spoken of: the only one that their name could mean in the home, or in a room that
-    has a name in `rooms`.
+    """Larger objects that can be spoken of, none that others have of their own: the only one that their name could mean
+    in the home, or in a room that has a name in `rooms`.
     """
     whole, found = meanings(home.objects), {}
     inside = {(room, category): n for room in {o.room for o in home.objects} for category, n in
               meanings(o for o in home.objects if o.room == room).items()}
-    for o in (o for o in home.objects if max(o.size) > SMALL):
+    for o in (o for o in home.objects if max(o.size) > SMALL and o.category not in OWNED):
         if whole[o.category] == 1:
             found[o.id] = f"the {spoken(o.category)}"
         elif inside[o.room, o.category] == 1 and o.room in rooms:

@@ -356,3 +356,9 @@ def test_a_place_in_a_doorway_is_in_no_room(monkeypatch, x, yes):
     found = facts([{f"floor_{h.LIVING}": (9000, ALL)} | {o.id: (300, ALL) for o in some}], some)
     pose = ((1, 0, 0, x), (0, 0, 1, 1.5), (0, -1, 0, 1.2), (0, 0, 0, 1))
     assert plain.tells_its_place(found, found.eyes[0].model_copy(update={"pose": pose})) == yes
+
+
+def test_what_sofas_have_of_their_own_has_no_name():
+    cushion = h.thing("plant", 2, 1, size=(0.5, 0.5, 0.2), id="cushion")
+    cushion.category = "cushion"
+    assert set(facts([], [SOFA, cushion]).names) == {SOFA.id}
