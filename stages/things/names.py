@@ -31,6 +31,8 @@ def spoken(category: str) -> str:
 def one(category: str) -> str:
     """A thing of a category in sentences."""
     name = spoken(category)
+    if name.endswith("hooks"):
+        return name
     return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
 
 
