@@ -1,5 +1,7 @@
 """What is straight ahead of a thing's front."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 from shapely import get_coordinates
@@ -19,16 +21,16 @@ WALL = 0.2
 _SKIN = 0.02  # m, by which what only touches the side of the way is left out
 
 
-def before(facts: Facts, id: str) -> tuple[float, str] | None:
+def before(facts: Facts, id: str, thirds: Sequence[float] = THIRDS) -> tuple[float, str] | None:
     """How far it is to the first thing or the wall, m, and which thing; empty for a wall. None where what comes first
-    is not the same before every third of its width.
+    is not the same before all of these thirds of its width.
 
     Things are met that reach into the thing's own height.
     """
     half = facts.objects[id].size[1] / 2
     whole = _first(facts, id, 0.0, half - _SKIN)
-    thirds = [_first(facts, id, middle * half, half / 3 - _SKIN) for middle in THIRDS]
-    return whole if all(met == whole[1] and far - whole[0] < SAME for far, met in thirds) else None
+    each = [_first(facts, id, middle * half, half / 3 - _SKIN) for middle in thirds]
+    return whole if all(met == whole[1] and far - whole[0] < SAME for far, met in each) else None
 
 
 def parted(facts: Facts, id: str, far: float) -> bool:

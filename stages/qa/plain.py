@@ -1,6 +1,7 @@
 """What pictures show beyond doubt: where they were taken, fronts, counts, how the camera turned."""
 
 from collections.abc import Iterable, Sequence
+from itertools import combinations
 from math import dist
 
 import numpy as np
@@ -37,6 +38,8 @@ BLANK = ("midcentury",)
 """Styles of the embedded furniture whose fronts are fluted and without handles: nobody sees how many there are."""
 DOORWAY = 0.6
 """Who is no farther from a door or a passage may be said to be in either room, m."""
+SEEN = 0.95
+"""Share of a room's floor that is in sight of where its panorama was taken, at least."""
 SPOT = 0.1
 """Floor is looked at in squares of so much, m."""
 MAY_OPEN = {"mirror", "radiator", "speaker", "tv"}
@@ -98,7 +101,8 @@ def bounded(facts: Facts, id: str) -> bool:
     nor leaves over a pot.
     """
     kind = TABLE.get(facts.objects[id].category)
-    return kind is None or not (kind.place == "flat" or kind.run or "leaves" in kind.symbol)
+    lined = kind is not None and kind.run in ("fitted", "hung", "unit")
+    return kind is None or not (kind.place == "flat" or lined or "leaves" in kind.symbol)
 
 
 def rests_on(facts: Facts, ids: Iterable[str]) -> bool:
@@ -125,6 +129,11 @@ def edgewise(o: Box, view: View) -> bool:
         return False
     way = np.array(view.eye[:2]) - o.center[:2]
     return float(way @ [np.cos(o.yaw), np.sin(o.yaw)]) < BEFORE * float(np.linalg.norm(way))
+
+
+def side_by_side(facts: Facts, ids: Iterable[str]) -> bool:
+    """Whether two of these stand so close that they may be taken for one."""
+    return any(facts.print(a).distance(facts.print(b)) < BESIDE for a, b in combinations(list(ids), 2))
 
 
 def may_open(o: Furnishing) -> bool:
@@ -185,7 +194,12 @@ def fronted(facts: Facts, id: str) -> bool:
 
 
 def countable(facts: Facts, view: str, ids: Iterable[str]) -> bool:
-    """Whether a panorama shows each of these well and none in two parts, at its left and its right end."""
+    """Whether a panorama shows each of these well and none in two parts, at its left and its right end, in a room of
+    which nothing is round a corner.
+    """
+    shown = facts.views[view]
+    if shown.room in facts.rooms and in_sight(facts, shown.room, shown) < SEEN:
+        return False
     numbers = {thing.id: thing.number for thing in facts.render.instances}
     wide = facts.views[view].width
     across = {part.number: part.rectangle[0] == 0 and part.rectangle[2] == wide for part in facts.views[view].visible}

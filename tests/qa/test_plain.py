@@ -362,3 +362,9 @@ def test_what_sofas_have_of_their_own_has_no_name():
     cushion = h.thing("plant", 2, 1, size=(0.5, 0.5, 0.2), id="cushion")
     cushion.category = "cushion"
     assert set(facts([], [SOFA, cushion]).names) == {SOFA.id}
+
+
+@pytest.mark.parametrize(("gap", "yes"), [(0.01, True), (0.1, False)])
+def test_shelves_side_by_side_may_be_one(gap, yes):
+    shelves = [h.thing("bookshelf", 0.2, y, size=(0.3, 0.8, 1.8), id=f"shelf_{y}") for y in (1.0, 1.8 + gap)]
+    assert plain.side_by_side(facts([], shelves), [o.id for o in shelves]) == yes

@@ -224,6 +224,9 @@ class Anew:
     def parts(self, q):
         return str(len(self.it(q).joints))
 
+    def opens(self, q):
+        return "yes" if self.it(q).joints else "no"
+
     def mechanism(self, q):
         ways = set()
         for j in self.it(q).joints:

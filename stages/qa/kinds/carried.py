@@ -6,8 +6,8 @@ from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
 from apartgen.stages.qa.plain import on_a_rug
 
-EITHER = {"radiator"}
-"""What as often has feet as brackets."""
+EITHER = {"radiator", "shower"}
+"""What as often has feet as brackets, and what stands on its tray."""
 ALL = 0.93
 """Share of its width and height of which a thing shows at least where its underside is in sight."""
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.plain import countable
+from apartgen.stages.qa.plain import countable, side_by_side
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike, spoken
 
@@ -19,7 +19,8 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Of the rooms of panoramas that show all of them, none of another room, and nothing that one may take for them;
     each kind has several answers. Cloth is not counted, a curtain may be two, nor what is part of a kitchen, a
     dishwasher may look like a cabinet, nor mirrors, which one overlooks where they show tiles before tiles, nor what
-    has its name of two things, nor what is named by how it opens.
+    has its name of two things, nor what is named by how it opens, nor two that
+    stand close together.
     """
     known = {o.category for o in facts.home.objects if o.category in TABLE}
     kinds = sorted({spoken(name) for name in known if _plain(name)})
@@ -51,7 +52,8 @@ def _of(facts: Facts, kind: str) -> list[Draft]:
                    for other in {facts.objects[id].category for id in facts.shares[image] if id in facts.objects}):
                 continue
             names = Counter(spoken(facts.objects[id].category) for id in there)
-            if seen == there and set(names) <= {kind} and countable(facts, image, there):
+            plain = countable(facts, image, there) and not side_by_side(facts, there)
+            if seen == there and set(names) <= {kind} and plain:
                 text = f"How many things of this kind are there in the room that this picture shows all around: {kind}?"
                 evidence = {"room": room, "kind": kind}
                 drafts.append(Draft(text, str(len(there)), [image], evidence, hard=len(there) // 3))

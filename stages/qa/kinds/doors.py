@@ -5,7 +5,7 @@ import numpy as np
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
 
-SHOWS = 0.001
+SHOWS = 0.0005
 """Share of a panorama of which a door is at least, so that one sees it; those without leaves are seen from above."""
 
 

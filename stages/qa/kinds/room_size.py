@@ -4,11 +4,8 @@ import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.plain import in_sight
+from apartgen.stages.qa.plain import SEEN, in_sight
 from apartgen.stages.space import polygons
-
-SEEN = 0.95
-"""Share of a room's floor that is in sight of where its panorama was taken, at least."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
