@@ -16,7 +16,7 @@ from typing import Any, Generic, TypeVar
 
 from pydantic import Field, ValidationError
 
-from apartgen.schemas import consistency, files
+from apartgen.schemas import consistency, files, writing
 from apartgen.schemas.base import Number, Record
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.export import Export
@@ -35,13 +35,10 @@ BODIES: dict[str, type[Record]] = {
     "export": Export, "metrics": Metrics, "render": Render,
 }
 """The body type of every kind of artifact, in the order of the stages."""
-DECIMALS = 6
-"""Digits kept behind the point, in metres and radians."""
 LARGEST = 256 * 2**20
 """Bytes above which a file is refused."""
 STREAM = "-"
 """Stands for standard input or output."""
-_LINE = 112
 
 Body = TypeVar("Body", bound=Record)
 Other = TypeVar("Other", bound=Record)
@@ -139,7 +136,7 @@ def finish(body: Body, made: Made) -> tuple[str, Artifact[Body]]:
     """
     record = _record(body, made)
     read = _settled(record, type(body))
-    return _text(record) + "\n", read
+    return writing.laid_out(record) + "\n", read
 
 
 def settled(body: Body, made: Made) -> Artifact[Body]:
@@ -149,7 +146,7 @@ def settled(body: Body, made: Made) -> Artifact[Body]:
 
 def line_of(body: Record, made: Made) -> str:
     """The text to write on one line."""
-    return _compact(_record(body, made)) + "\n"
+    return writing.compact(_record(body, made)) + "\n"
 
 
 def _record(body: Record, made: Made) -> dict[str, Any]:
@@ -157,23 +154,13 @@ def _record(body: Record, made: Made) -> dict[str, Any]:
     record = {"apartgen": kind_of(body), "version": VERSION,
               "made": made.model_dump(mode="json", by_alias=True, exclude=set() if made.id else {"id"}),
               "body": body.model_dump(mode="json", by_alias=True)}
-    return {name: _rounded(value) for name, value in record.items()}
-
-
-def _rounded(value: Any) -> Any:
-    if isinstance(value, float):
-        return round(value, DECIMALS) + 0.0  # no negative zero
-    if isinstance(value, dict):
-        return {name: _rounded(item) for name, item in value.items()}
-    if isinstance(value, list):
-        return [round(item, DECIMALS) + 0.0 if type(item) is float else _rounded(item) for item in value]
-    return value
+    return {name: writing.rounded(value) for name, value in record.items()}
 
 
 def _settled(record: dict[str, Any], of: type[Body]) -> Artifact[Body]:
     kind = record["apartgen"]
     try:
-        return _validated(_compact(record), kind, kind, of, _digest(record))
+        return _validated(writing.compact(record), kind, kind, of, _digest(record))
     except BadInput as error:
         raise RuntimeError(f"the {kind} stage made an inconsistent artifact: {error}") from error
 
@@ -287,33 +274,3 @@ def _digest(raw: dict[str, Any]) -> str:
     kept = {k: v for k, v in made.items() if k != "seconds"} if isinstance(made, dict) else made
     text = json.dumps(raw | {"made": kept}, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
     return "sha256:" + hashlib.sha256(text.encode()).hexdigest()
-
-
-_CONTAINERS = {dict, list}
-_QUOTED = json.encoder.encode_basestring
-"""A string in JSON."""
-_LINED = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
-"""JSON on one line; `json.dumps` would make an encoder anew for each of thousands of values."""
-_compact = json.JSONEncoder(ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode
-
-
-def _text(value: Any, indent: int = 0) -> str:
-    """JSON with short containers, and long rows of numbers, on one line."""
-    if isinstance(value, str):
-        return _QUOTED(value)
-    if isinstance(value, dict):
-        return _laid([f"{_QUOTED(key)}: {_text(item, indent + 1)}" for key, item in value.items()], "{}", indent)
-    if not isinstance(value, list):
-        return _LINED(value)
-    rows = [repr(item) if type(item) is float else _text(item, indent + 1) for item in value]
-    flat = _CONTAINERS.isdisjoint(map(type, value))
-    return f"[{', '.join(rows)}]" if flat else _laid(rows, "[]", indent)
-
-
-def _laid(rows: list[str], ends: str, indent: int) -> str:
-    """The rows of a container on one line, where they are short and none is laid out itself, else one below another."""
-    line = ", ".join(rows)
-    if "\n" not in line and len(line) + len(ends) + indent <= _LINE:
-        return ends[0] + line + ends[1]
-    pad = " " * indent
-    return f"{ends[0]}\n {pad}" + f",\n {pad}".join(rows) + f"\n{pad}{ends[1]}"
