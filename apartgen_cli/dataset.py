@@ -66,7 +66,8 @@ def _build(out: FOLDER, prompts: PROMPTS = None, count: COUNT = None, grammar: G
 
         build(asked, out, seed=seed, given=tables(config), workers=workers, per_shard=shard, populate=populate,
               engine=engine, report=told, copies=copies)
-    say(f"{done - there - failed} homes made, {failed} failed, {there} were there; {out}/failures.jsonl has failures")
+    listed = f"; {out}/failures.jsonl has them" if failed else ""
+    say(f"{done - there - failed} homes made, {there} were there, {failed} failed{listed}")
     return 1 if failed else 0
 
 

@@ -10,9 +10,9 @@ from apartgen.stages.qa.plain import countable, side_by_side
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike, spoken
 
-OVERLOOKED = {"dressing_table", "mirror", "radiator", "vanity"}
-"""What one sees only by what it shows; what others call something else, as a table to dress at;
-what may be behind a sofa."""
+OVERLOOKED = {"bin", "dressing_table", "laundry_basket", "mirror", "radiator", "vanity"}
+"""What one sees only by what it shows; what others call something else, as a table to dress at, or take for something
+else, as a bin for a basket; what may be behind a sofa."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
