@@ -167,6 +167,16 @@ def test_what_is_met_is_no_rug_and_no_scrap_at_the_edge(monkeypatch, share, aske
     assert all(d.answer == "the thing marked 2" and "the thing marked 5" not in d.wrong for d in drafts)
 
 
+@pytest.mark.parametrize(("further", "met"), [(0.0, None), (0.04, None), (-0.04, None), (0.08, "table")])
+def test_what_is_met_first_is_met_first_beyond_doubt(further, met):
+    """A lamp before the sofa's side as near as the table before its middle, or a little nearer or further."""
+    things = _ahead(h.thing("floor_lamp", 1.7 + further, 1.65, size=(0.2, 0.2, 1.6), id="lamp"))
+    things[1].size = (0.8, 0.9, 0.4)
+    ahead = fronts.before(facts([{o.id: (800, ALL) for o in things}], things), "sofa", (0.0,))
+    assert (ahead and ahead[1]) == met
+    assert ahead is None or ahead[0] == pytest.approx(0.65)
+
+
 @pytest.mark.parametrize(("pixels", "seen"), [(50, True), (5, False)])
 def test_a_way_is_asked_for_where_the_entrance_is_seen_from_above(pixels, seen):
     entrance = next(o for o in h.openings() if o.kind == "entrance")
