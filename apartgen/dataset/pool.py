@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
-from typing import TypeVar
+from typing import Generic, NamedTuple, TypeVar
 
 from apartgen import garbage
 
@@ -23,20 +23,31 @@ ENDED = 2
 """Workers of its own that a piece must have ended to be given up."""
 STARTS, PAUSE = 60, 0.5
 """How often a worker is tried to be started, and s between."""
+SETTLED = 2
+"""Pieces a worker after the first that had something compiled by which all that is needed has been."""
 _THREADS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
+
+
+class _Told(NamedTuple, Generic[Result]):
+    """What a worker gives for a piece, and whether it has compiled anything so far."""
+
+    result: Result
+    compiled: bool
 
 
 def results(function: Callable[[Work], Result], work: Iterable[Work], workers: int,
             lost: Callable[[Work], Result]) -> Iterator[Result]:
     """What the function gives for each piece of work, in order; `lost(piece)` for one that its worker does not survive.
 
-    Workers load what they need once. Work and results can be pickled.
+    Workers load what they need once; those that had to compile it, as after an installation, are replaced, for they
+    keep what the compiler took. Work and results can be pickled.
     """
     if workers == 1:
         yield from map(function, work)
         return
     pieces, pool = iter(work), _started(workers)
-    waiting: deque[tuple[Work, Future[Result] | None]] = deque()
+    waiting: deque[tuple[Work, Future[_Told[Result]] | None]] = deque()
+    left = SETTLED * workers
     try:
         while True:
             fresh = islice(pieces, workers * AHEAD - len(waiting))
@@ -45,16 +56,22 @@ def results(function: Callable[[Work], Result], work: Iterable[Work], workers: i
                 return
             piece, future = waiting.popleft()
             try:
-                result = _of(future)
+                told = _of(future)
             except BrokenProcessPool:
                 # Whose piece it was is not told, so the first is done alone and the others again; so at every death
                 # one piece more is done with.
                 pool.shutdown(wait=False, cancel_futures=True)
-                result = _alone(function, piece, lost)
+                told = _alone(function, piece, lost)
                 pool = _started(workers)
                 waiting = deque((piece, old if _is_done(old) else _submitted(pool, function, piece))
                                 for piece, old in waiting)
-            yield result
+            yield told.result
+            left -= told.compiled
+            if told.compiled and left == 0:
+                pool, old_pool = _started(workers), pool
+                waiting = deque((piece, _submitted(pool, function, piece) if old is None or old.cancel() else old)
+                                for piece, old in waiting)
+                old_pool.shutdown(wait=False)
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
 
@@ -64,12 +81,19 @@ def cores(workers: int | None) -> int:
     return workers or os.cpu_count() or 1
 
 
-def _submitted(pool: ProcessPoolExecutor, function: Callable[[Work], Result], piece: Work) -> Future[Result] | None:
+def _submitted(pool: ProcessPoolExecutor, function: Callable[[Work], Result],
+               piece: Work) -> Future[_Told[Result]] | None:
     """None where the pool is broken, be it by the death of what starts its workers."""
     try:
-        return pool.submit(function, piece)
+        return pool.submit(_done, function, piece)
     except (BrokenProcessPool, EOFError, ConnectionError):
         return None
+
+
+def _done(function: Callable[[Work], Result], piece: Work) -> _Told[Result]:
+    """In a worker."""
+    result, compiling = function(piece), sys.modules.get("apartgen.stages.compiling")
+    return _Told(result, compiling is not None and compiling.has_compiled())
 
 
 def _of(future: Future[Result] | None) -> Result:
@@ -84,7 +108,7 @@ def _is_done(future: Future[Result] | None) -> bool:
     return not isinstance(future.exception(), BrokenProcessPool)
 
 
-def _alone(function: Callable[[Work], Result], piece: Work, lost: Callable[[Work], Result]) -> Result:
+def _alone(function: Callable[[Work], Result], piece: Work, lost: Callable[[Work], Result]) -> _Told[Result]:
     """In a pool of its own, lost when it has ended two of them. What starts workers may be dying itself: a worker that
     could not be started says nothing of the piece, and is waited for.
     """
@@ -99,7 +123,7 @@ def _alone(function: Callable[[Work], Result], piece: Work, lost: Callable[[Work
         except BrokenProcessPool:
             deaths += 1
             if deaths == ENDED:
-                return lost(piece)
+                return _Told(lost(piece), False)
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
     raise BrokenProcessPool("no worker can be started")

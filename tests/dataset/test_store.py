@@ -120,3 +120,15 @@ def test_a_row_that_no_run_wrote_is_bad_input(tmp_path, change):
 def test_workers_seldom_look_for_garbage():
     [fresh, *_] = {*pool.results(eval, ["__import__('gc').get_threshold()[0]"] * 2, 2, str)}
     assert fresh == garbage.FRESH
+
+
+@pytest.mark.parametrize("compiles", [True, False])
+def test_workers_that_have_compiled_are_replaced_once_and_nothing_is_lost(compiles):
+    """What a compiler takes of a process it never gives back."""
+    first = "__import__('numba').njit(lambda x: x + {i})(1)" if compiles else "1 + {i}"
+    piece = f"(__import__('apartgen.stages.compiling'), {first}, __import__('os').getpid())[1:]"
+    found = list(pool.results(eval, [piece.format(i=i) for i in range(40)], 2, str))
+    assert [value for value, _ in found] == list(range(1, 41))
+    who = [pid for _, pid in found]
+    assert bool(set(who[:2]) & set(who[-2:])) != compiles
+    assert len(set(who)) <= (4 if compiles else 2)

@@ -330,7 +330,8 @@ class Anew:
         return max(q.options, key=lambda option: self.objects[self.told(q, option)[0]].size[2])
 
     def where(self, q):
-        return self.rooms[self.room_of(np.array(self.views[q.images[0]].pose)[:2, 3])].type.replace("_", " ")
+        kind = self.rooms[self.room_of(np.array(self.views[q.images[0]].pose)[:2, 3])].type
+        return {"utility": "utility room", "storage": "storage room"}.get(kind, kind.replace("_", " "))
 
     def turn(self, q):
         a, b = (np.array(self.views[name].pose)[:2, 2] for name in q.evidence["views"])
