@@ -185,6 +185,20 @@ _SAID = rules((
     # "um sechs" is no number of rooms
     (r"\b(?:um|gegen|bis|ab) {hours}(?: uhr)?(?: (?:fruh|morgens|abends|nachts))?(?= (?:mit|in|im|auf|zu|am|an|und|"
      r"das|der|die|den)\b| ?[.,;])", ""),
+    # "a couple with a newborn baby", "a hotel room", which has no kitchen unless it is told
+    (r"\bnew ?born bab(y|ies)\b", r"bab\1"),
+    (r"^(?:an? |one )?(?P<b>[a-z]+ )?(?:hotel|motel)(?: bed)? ?room\b(?!s)(?!.*\b(?:bed ?room|bath ?room|"
+     r"kitchen(?:ette)?|shower|living)\b)(?P<r>[^.]*)",
+     r"a \g<b>bedroom with an ensuite bathroom\g<r>. no other rooms"),
+    # "an apartment for an artist with a studio", which is a room of it
+    (r"(?P<h>\b{home} (?:for|of) [^.,;]*? with an? (?:small |large |bright |art |music |photo )?)studio\b(?! (?:{home}|"
+     r"kitchen))", r"\g<h>study"),
+    # "max 50 m2 one-bedroom flat", "a small two-room apartment"
+    (r"^(?:an? )?(?P<l>(?:max(?:imum|\.)?|at most|up to|under|below|less than|no more than|at least|min(?:imum|\.)?|"
+     r"over|more than) {amount} ?{unit}),? (?P<h>(?:[a-z]+ ){0,2}(?:{number})[- ]?bed(?:[- ]?room)?s? {home}\b)",
+     r"\g<h>, \g<l>"),
+    (r"\b(small|tiny|compact|large|big|spacious) (?P<n>(?:two|three|four|five|[2-5])[- ]?rooms?) (?P<h>{home}\b)",
+     r"\1 \g<h> of \g<n>"),
     # "children is three"
     (r"\bchildren (?:is|are) ({number})\b", r"\1 children"),
     # "18 m2 is plenty for the living room", "a room with two bunk beds", "each with a wardrobe, and no door between

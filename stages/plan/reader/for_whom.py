@@ -72,7 +72,7 @@ _SAID = [
         (r"(\b(?:kids|children|boys|girls|twins|sons|daughters) share (?:one|an?) (?:bed ?)?room,? (?:and |while |but "
          r")?)we (?:have|get|keep|need) our own(?: one| room| bed ?room)?{end}", r"\1we have a bedroom"),
         # "a flat share for 3 people", "une colocation pour trois", "三个学生合租的"
-        (r"\b(?:flat|house)[ -]?share for (\d|two|three|four|five|six)(?: people| persons)?\b",
+        (r"\b(?:flat|house)[ -]?share for (\d|two|three|four|five|six)(?: (?:people|persons|students|friends))?\b",
          r"flat for \1 flatmates"),
         (r"\b(?:une )?colocation (?:pour|de|a) (deux|trois|quatre|cinq|\d)(?: personnes)?\b",
          r"appartement pour \1 colocataires"),

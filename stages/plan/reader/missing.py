@@ -51,6 +51,7 @@ def _lone(said: Said, home: Household) -> bool:
         or any(e.labels & {Trait.KIDS, Trait.RELATIVE} for e in home.of("bedroom"))
         or (home.of("bedroom") and len(said.unread) > 1)  # what is told of people and purposes is told of a home
         or len(home.of("bedroom")) > 1
+        or all(p.type in ("hallway", "any") and p.quantifier in (Det.THE, Det.EACH) for p in said.rooms)  # "every room"
     )
     return len(home.rooms) < 3 and not homely
 

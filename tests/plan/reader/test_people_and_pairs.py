@@ -4,6 +4,8 @@ import pytest
 
 from apartgen.schemas.plan import Program
 from apartgen.stages.plan.reader import read
+from apartgen.stages.plan.reader.lexicon import read_lexicon
+from apartgen.stages.plan.reader.spelling import correct
 
 
 def count(program: Program, kind: str) -> int:
@@ -73,3 +75,65 @@ def test_corners_and_denied_neighbours_in_chinese() -> None:
 def test_chinese_storage_and_passages() -> None:
     program = read("三室两卫，带储藏间。玄关通客厅和内走廊；内走廊通三间卧室。")
     assert count(program, "storage") == 1 and count(program, "hallway") == 2 and not program.unread
+
+
+@pytest.mark.parametrize(("text", "bedrooms"), [
+    ("family with two small children", 3), ("Flat for a family with three teenage kids", 4),
+    ("family with a little girl", 2),
+    ("Apartment for a couple with a newborn baby", 2),
+    ("Flat for a family with two small children who share a room", 2),
+    ("Une famille avec deux jeunes enfants", 3), ("Wohnung für eine Familie mit zwei kleinen Kindern", 3),
+    ("Apartment for an elderly couple with a live-in carer", 2), ("Apartment for a family with a nanny", 4),
+    ("Apartment for three generations", 4), ("apartment for a professor", 1), ("Flat for a young professional", 1),
+    ("apartment for an elderly woman", 1), ("a two-bedroom apartment for a software engineer", 2),
+    ("Flat for a woman with two kids", 3), ("Flat for a teacher and her daughter", 2),
+    ("House for a man and his wife", 1),
+    ("1b1b apartment of a researcher", 1), ("flat share for three students", 3),
+])  # fmt: skip
+def test_a_home_is_for_those_whom_it_is_said_to_be_for(text: str, bedrooms: int) -> None:
+    program = read(text)
+    assert count(program, "bedroom") == bedrooms and not program.unread
+    assert min(count(program, kind) for kind in ("living_room", "kitchen", "bathroom")) >= 1
+
+
+@pytest.mark.parametrize(("text", "rooms"), [
+    ("a hotel room", "bedroom bathroom"), ("Motel room with two single beds", "bedroom bathroom"),
+    ("A hotel room with a balcony", "balcony bedroom bathroom"), ("tiny house", "living_room kitchen bathroom"),
+])  # fmt: skip
+def test_rooms_of_hotels_and_tiny_houses_are_all_that_there_is(text: str, rooms: str) -> None:
+    program = read(text)
+    assert sorted(room.type for room in program.rooms) == sorted(rooms.split()) and not program.unread
+
+
+@pytest.mark.parametrize("text", ["Apartment for an artist with a studio", "House for a potter with a bright studio"])
+def test_a_studio_of_somebodys_apartment_is_a_room(text: str) -> None:
+    program = read(text)
+    assert count(program, "study") == 1 and count(program, "bedroom") >= 1
+
+
+@pytest.mark.parametrize("word", ["collects", "friendly", "collector", "random"])
+def test_words_that_mean_no_room_are_no_slips_of_others(word: str) -> None:
+    """`collects` was taken for `connects`, `friendly` for `friends`."""
+    lexicon = read_lexicon()
+    assert correct(word, lexicon) == word
+
+
+@pytest.mark.parametrize(("text", "total", "bedrooms"), [
+    ("max 50 m2 one-bedroom flat", 50, 1), ("at most 60 m² two-bedroom apartment", 60, 2),
+    ("Under 90 m2 3-bed house", 90, 3),
+])  # fmt: skip
+def test_a_limit_before_a_home_is_the_homes(text: str, total: float, bedrooms: int) -> None:
+    program = read(text)
+    assert program.total_area == total and count(program, "bedroom") == bedrooms and not program.unread
+    assert {asked.of for asked in program.requirements} == {"home"}
+
+
+def test_a_small_home_of_some_rooms_is_smaller() -> None:
+    small, plain = (read(text) for text in ("small two-room apartment", "two-room apartment"))
+    assert [room.type for room in small.rooms] == [room.type for room in plain.rooms] and not small.unread
+    assert sum(room.area or 0 for room in small.rooms) < 0.9 * sum(room.area or 0 for room in plain.rooms)
+
+
+def test_what_every_room_is_at_is_not_the_only_one() -> None:
+    assert count(read("every room is connected to the hallway"), "bedroom") >= 1
+    assert [room.type for room in read("a hallway").rooms] == ["hallway"]
