@@ -12,6 +12,8 @@ _HOURS = r"(?:ein|zwei|drei|vier|funf|sechs|sieben|acht|neun|zehn|elf|zwolf|\d{1
 _WORK = (
     r"(?:sew|make|build|design|sell|repair|fix|restore|review|import|tune|collect|paint|test|upholster|deliver|trade)"
 )
+_KIDS = r"(?:child(?:ren)?|kids?|sons?|daughters?|boys?|girls?|teenagers?|toddlers?|bab(?:y|ies))"
+_ELDER = r"(?:grand(?:mother|father|ma|pa)|granny|grandparents?|aunt|uncle)"
 _GONE = r"(?:sold|gave away|got rid of|threw out|threw away|scrapped|binned|donated|left behind|lost)"
 _HOME = r"(?:flat|apartment|place|home|house)"
 _SAID = rules((
@@ -199,6 +201,27 @@ _SAID = rules((
      r"\g<h>, \g<l>"),
     (r"\b(small|tiny|compact|large|big|spacious) (?P<n>(?:two|three|four|five|[2-5])[- ]?rooms?) (?P<h>{home}\b)",
      r"\1 \g<h> of \g<n>"),
+    # "bedrooms must not touch", "the front door opens straight into the living room", "one of which is an office"
+    (r"\b({must}) not touch(?: each other| one another)?{end}", r"\1 not be next to each other"),
+    (r"\b({must}) not touch (?={a}\b)", r"\1 not be next to "), (r"\b({must}) touch (?={a}\b)", r"\1 be next to "),
+    (r"^(?:the )?(?:entrance|front door) (?:{must} )?(?:opens?|leads?|goes) (?:directly |straight |right )?(?:in)?to ",
+     "the entrance leads into "),
+    (r"(?P<s>\bbed ?rooms),? (?:and )?one of (?:which|them) (?:is|will be|would be|should be) (?:an? |my |our "
+     r"|the )?(?P<u>home office|office|study)\b", r"\g<s>, one used as a \g<u>"),
+    # "kleine Dreizimmerwohnung", "petit trois-pièces", "piso pequeño", "60 m2 große Wohnung", "chambre d'hôtel"
+    (r"\b(klein|gross)e[rns]? (?P<n>zwei|drei|vier|funf|[2-5])[- ]?zimmer[- ]?wohnung\b",
+     r"\1e wohnung mit \g<n> zimmern"),
+    (r"({amount} ?{unit}) grosse[rns]? (?=[^ ]*(?:wohnung|haus|apartment|studio)\b)", r"\1 "),
+    (r"\b(petit|grand) (?P<n>deux|trois|quatre|cinq|[2-5])[- ]pieces\b", r"\1 appartement de \g<n> pieces"),
+    (r"\b(piso|apartamento) (pequeno|grande)\b", r"\2 \1"),
+    (r"^(?:ein |une |un |una |一[个间])?(?:(?:hotel|motel)zimmer|chambre d'hotel|habitacion de hotel|"
+     r"(?:酒店|宾馆|旅馆)的?(?:客房|房间))(?=[ .,]|$)(?!.*\b(?:bad|kuche|bain|cuisine|"
+     r"bano|cocina)\b)(?P<r>[^.]*)", r"a bedroom with an ensuite bathroom\g<r>. no other rooms"),
+    # "a family with two children and a grandmother": the parents live there, too
+    (r"\bfamily with (?=[^.;]*\b{kids}\b)(?=[^.;]*\b{elder}\b)(?!the\b)", "couple with "),
+    (r"\bfamilie mit (?=[^.;]*\bkind(?:ern)?\b)(?=[^.;]*\b(?:oma|opa|gross(?:mutter|vater))\b)", "paar mit "),
+    (r"\bfamille avec (?=[^.;]*\benfants?\b)(?=[^.;]*\bgrand-(?:mere|pere)\b)", "couple avec "),
+    (r"\bfamilia con (?=[^.;]*\b(?:hij|nin)[oa]s?\b)(?=[^.;]*\babuel[oa]\b)", "pareja con "),
     # "children is three"
     (r"\bchildren (?:is|are) ({number})\b", r"\1 children"),
     # "18 m2 is plenty for the living room", "a room with two bunk beds", "each with a wardrobe, and no door between
@@ -229,7 +252,8 @@ _SAID = rules((
      lambda found: "零一两三四五六七八九"[int(found["n"])]),
     (r"(?P<n>[一二两三四五六])卧(?=[一二两三1-9,.;]|$|带|朝)", r"\g<n>间卧室"),
     (r"(?P<n>[一两二三])厨(?!房)", r"\g<n>个厨房"),
-), a=_ROOM, compass=_COMPASS, come=_COME_IN, out=_OUT, hours=_HOURS, work=_WORK, gone=_GONE, home=_HOME)  # fmt: skip
+), a=_ROOM, kids=_KIDS, elder=_ELDER, compass=_COMPASS, come=_COME_IN, out=_OUT,
+   hours=_HOURS, work=_WORK, gone=_GONE, home=_HOME)  # fmt: skip
 
 
 def _either(room: str) -> str:

@@ -88,6 +88,11 @@ def test_chinese_storage_and_passages() -> None:
     ("apartment for an elderly woman", 1), ("a two-bedroom apartment for a software engineer", 2),
     ("Flat for a woman with two kids", 3), ("Flat for a teacher and her daughter", 2),
     ("House for a man and his wife", 1),
+    ("Wohnung für eine Lehrerin", 1), ("Appartement pour un professeur", 1), ("Piso para una profesora", 1),
+    ("适合一位教授住的公寓", 1), ("三代同堂的房子", 4), ("flat with two kids' rooms", 3),
+    ("family with two kids and a grandfather", 4), ("Familie mit zwei Kindern und Oma", 4),
+    ("Appartement pour une famille avec deux enfants et une grand-mère", 4),
+    ("Wohnung mit zwei Kinderzimmern", 3),
     ("1b1b apartment of a researcher", 1), ("flat share for three students", 3),
 ])  # fmt: skip
 def test_a_home_is_for_those_whom_it_is_said_to_be_for(text: str, bedrooms: int) -> None:
@@ -98,7 +103,10 @@ def test_a_home_is_for_those_whom_it_is_said_to_be_for(text: str, bedrooms: int)
 
 @pytest.mark.parametrize(("text", "rooms"), [
     ("a hotel room", "bedroom bathroom"), ("Motel room with two single beds", "bedroom bathroom"),
-    ("A hotel room with a balcony", "balcony bedroom bathroom"), ("tiny house", "living_room kitchen bathroom"),
+    ("A hotel room with a balcony", "balcony bedroom bathroom"), ("Hotelzimmer", "bedroom bathroom"),
+    ("Chambre d'hôtel", "bedroom bathroom"), ("Habitación de hotel", "bedroom bathroom"),
+    ("酒店房间", "bedroom bathroom"),
+    ("tiny house", "living_room kitchen bathroom"),
 ])  # fmt: skip
 def test_rooms_of_hotels_and_tiny_houses_are_all_that_there_is(text: str, rooms: str) -> None:
     program = read(text)
@@ -128,12 +136,32 @@ def test_a_limit_before_a_home_is_the_homes(text: str, total: float, bedrooms: i
     assert {asked.of for asked in program.requirements} == {"home"}
 
 
-def test_a_small_home_of_some_rooms_is_smaller() -> None:
-    small, plain = (read(text) for text in ("small two-room apartment", "two-room apartment"))
-    assert [room.type for room in small.rooms] == [room.type for room in plain.rooms] and not small.unread
-    assert sum(room.area or 0 for room in small.rooms) < 0.9 * sum(room.area or 0 for room in plain.rooms)
+@pytest.mark.parametrize(("small", "plain"), [
+    ("small two-room apartment", "two-room apartment"), ("kleine Dreizimmerwohnung", "Dreizimmerwohnung"),
+    ("Petit trois-pièces", "trois-pièces"), ("Piso pequeño de dos habitaciones", "Piso de dos habitaciones"),
+])  # fmt: skip
+def test_a_small_home_of_some_rooms_is_smaller(small: str, plain: str) -> None:
+    less, usual = read(small), read(plain)
+    assert [room.type for room in less.rooms] == [room.type for room in usual.rooms] and not less.unread
+    assert sum(room.area or 0 for room in less.rooms) < 0.9 * sum(room.area or 0 for room in usual.rooms)
+
+
+@pytest.mark.parametrize(("text", "asked"), [
+    ("Need 2 beds 1 bath, bedrooms must not touch", ("apart", "bedroom_1", "bedroom_2", None)),
+    ("Two-bedroom flat. The kitchen must not touch the bathroom.", ("apart", "kitchen_1", "bathroom_1", None)),
+    ("One-bedroom flat, the kitchen should touch the living room", ("adjacent", "kitchen_1", "living_room_1", None)),
+    ("2 bedrooms, one of which is a home office.", ("use", "bedroom_1", None, "study")),
+])  # fmt: skip
+def test_rooms_that_touch_and_rooms_that_are_others(text: str, asked: tuple[str, str, str | None, str | None]) -> None:
+    program = read(text)
+    assert rows(program) == {asked} and not program.unread and count(program, "study") == 0
+
+
+def test_cooking_classes_are_no_second_kitchen() -> None:
+    assert count(read("A flat with a big kitchen for cooking classes, one bedroom."), "kitchen") == 1
 
 
 def test_what_every_room_is_at_is_not_the_only_one() -> None:
+    assert count(read("entrance opens directly into the living room"), "bathroom") == 1
     assert count(read("every room is connected to the hallway"), "bedroom") >= 1
     assert [room.type for room in read("a hallway").rooms] == ["hallway"]
