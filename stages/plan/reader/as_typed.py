@@ -115,7 +115,8 @@ _SAID = rules((
     (r"\b(?:two|2) (?:toilets?|wcs?)[,:;]? ?(?:one|the first) (?P<a>{near} (?:the )?[a-z' ]{3,22}?)(?:,|,? and|;)+ "
      r"(?:one|another|the other|other|the second)(?: one)? (?P<b>{near} (?:the )?(?:door of )?[a-z' ]{3,22}?){end}",
      _two_toilets),
-    (r"\b(?P<n>one|two|three|[123]) (?:toilets?|wcs?)\b", _one_toilet_less),
+    (r"\b(?P<n>one|two|three|zwei|drei|deux|trois|[123]) (?:toilets?|wcs?|klos?|toiletten|toilettes)\b",
+     _one_toilet_less),
     # "living 30, 2x bedroom 14", "the kids bedroom on other side"
     (r"\b([2-5]) ?x ?(bed ?room|bath ?room|study|balcony)s? (\d{1,2}(?:\.\d)?)(?= ?(?:[,;.]|$))", r"\1 x \2 \3 m2"),
     (r"\bon other side\b", "on the other side"),

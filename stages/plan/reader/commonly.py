@@ -222,6 +222,13 @@ _SAID = rules((
     (r"\bfamilie mit (?=[^.;]*\bkind(?:ern)?\b)(?=[^.;]*\b(?:oma|opa|gross(?:mutter|vater))\b)", "paar mit "),
     (r"\bfamille avec (?=[^.;]*\benfants?\b)(?=[^.;]*\bgrand-(?:mere|pere)\b)", "couple avec "),
     (r"\bfamilia con (?=[^.;]*\b(?:hij|nin)[oa]s?\b)(?=[^.;]*\babuel[oa]\b)", "pareja con "),
+    # "tree bedrooms", "a live-in grandmother", "bureau dans la chambre", "toilettes loin de la cuisine"
+    (r"\btree (?=(?:bed ?|bath ?)?rooms?\b|{kids}\b|people\b|balconies\b|windows\b)", "three "),
+    (r"\blive-in (?=grand|mother|father|aunt|uncle|parents)", ""),
+    (r"(?<!un )\bbureau dans (?=(?:la|une|chaque|les) chambres?\b)", "table de travail dans "),
+    (r"(?<!x )(?<!s )(?<!\d )\b(?:les |des )?toilettes (?=(?:loin|pres|a cote|au|dans)\b)", "wc "),
+    (r"(?P<n>[两二三四])室(?P<r>(?:[一两二]厅)?(?:一厨)?(?:[一两二]卫)?),?其中一[间个](?:卧室|房间)?(?:做|当作?|用作|作为|改成)书房",
+     lambda found: f"{'一两三'['两三四'.find(found['n'].replace('二', '两'))]}室{found['r']}一间书房"),
     # "children is three"
     (r"\bchildren (?:is|are) ({number})\b", r"\1 children"),
     # "18 m2 is plenty for the living room", "a room with two bunk beds", "each with a wardrobe, and no door between

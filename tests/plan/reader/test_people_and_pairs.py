@@ -165,3 +165,17 @@ def test_what_every_room_is_at_is_not_the_only_one() -> None:
     assert count(read("entrance opens directly into the living room"), "bathroom") == 1
     assert count(read("every room is connected to the hallway"), "bedroom") >= 1
     assert [room.type for room in read("a hallway").rooms] == ["hallway"]
+
+
+@pytest.mark.parametrize(("text", "rooms"), [
+    ("i want apartment with tree bedrooms", {"bedroom": 3}),
+    ("WG für 3 Studenten ohne Wohnzimmer, zwei Klos", {"bathroom": 2}),
+    ("un F2, toilettes loin de la cuisine", {"bedroom": 1, "bathroom": 2}),
+    ("un F2, bureau dans la chambre", {"study": 0}),
+    ("apartamento para mi abuela y su perro", {"bedroom": 1}),
+    ("两室一厅一厨一卫，其中一间做书房", {"bedroom": 1, "study": 1}),
+    ("a couple with twins and a live-in grandmother", {"bedroom": 4}),
+])  # fmt: skip
+def test_rooms_are_as_many_as_are_meant(text: str, rooms: dict[str, int]) -> None:
+    program = read(text)
+    assert {kind: count(program, kind) for kind in rooms} == rooms and not program.unread
