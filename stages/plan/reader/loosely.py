@@ -86,8 +86,10 @@ _SAID = rules((
      r"(?:opening|opens|leading|leads|accessed|reached|entered|accessible)(?: directly)? "
      r"(?:off|from) (?=(?:the|our|my) )", r"\g<one> off "),
     # "the main one, which is en suite, of 13 by 12 ft"
-    (r"\b(?P<one>{one}),? (?P<aside>(?:which|that|with) [^,.;:]*?[^,.;: \d]),? (?:of|measuring|and measures|sized) "
-     r"(?P<size>{size})(?={end}| and|,)", r"\g<one> of \g<size> \g<aside>"),
+    # nor is "a bedroom with a balcony of 4 m2"
+    (r"\b(?P<one>{one}),? (?P<aside>(?:which|that) [^,.;:]*?[^,.;: \d]|with (?![^,.;:]*(?:{kind}) (?:of|sized) )"
+     r"[^,.;:]*?[^,.;: \d]),? (?:of|measuring|and measures|sized) (?P<size>{size})(?={end}| and|,)",
+     r"\g<one> of \g<size> \g<aside>"),
     # "a one-bedroom home …; the studio of 20 m² faces north"
     (r"(?P<home>\b(?:one|two|three|four|[1-4])[ -]bed(?: ?room)?s?\b[^.;:]*[.;:,][^.]*?\b(?:the|an?|my|our|her|his) "
      r"(?:(?:{size}|large|small|bright|big|separate) )?){studio}", r"\g<home>study"),

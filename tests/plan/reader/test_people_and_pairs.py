@@ -179,3 +179,15 @@ def test_what_every_room_is_at_is_not_the_only_one() -> None:
 def test_rooms_are_as_many_as_are_meant(text: str, rooms: dict[str, int]) -> None:
     program = read(text)
     assert {kind: count(program, kind) for kind in rooms} == rooms and not program.unread
+
+
+@pytest.mark.parametrize(("text", "areas"), [
+    ("apartment for a couple with one bedroom with a balcony of 4 m² and a pantry", {"balcony_1": 4.0}),
+    ("one bedroom with a bathroom of 5 m²", {"bathroom_1": 5.0}),
+    ("a bedroom with a closet of 3 m² and a study", {"closet_1": 3.0}),
+])  # fmt: skip
+def test_an_area_is_of_the_room_before_it(text: str, areas: dict[str, float]) -> None:
+    """Bedrooms of 4 m² were made, for one of whom a single bed was all that there was room for."""
+    program = read(text)
+    assert areas.items() <= {room.id: room.area for room in program.rooms}.items()
+    assert (area(program, "bedroom_1") or 0) >= 10
