@@ -12,6 +12,7 @@ import pytest
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import BODIES
 from apartgen.schemas.migrations import VERSION
+from apartgen.stages import retrieve
 
 SINCE = {"populate": 2, "render": 3}
 """The first version of which there is a file of a kind, where that is not the first; pictures came during the second.
@@ -60,3 +61,12 @@ def test_a_chain_of_files_hangs_together(version):
         if kind not in kinds:
             continue
         assert read[kind].made.inputs[source] == read[source].digest
+
+
+@pytest.mark.parametrize("file", [file for file in FILES if file.stem in ("retrieve", "walkable", "populate")],
+                         ids=lambda file: f"{file.parent.name}-{file.stem}")
+def test_the_assets_of_old_files_can_still_be_built(file):
+    library = retrieve.open_libraries()
+    for thing in artifact.read(file, BODIES[file.stem]).body.objects:
+        if thing.asset:
+            assert library.load_asset(thing.asset.library, thing.asset.id).links

@@ -18,6 +18,8 @@ Size = tuple[float, float, float]
 AnyLength = TypeVar("AnyLength", int, float)
 _EDGES, _PRINT = ("frame", "mount"), "print"
 _SEEDS = 12
+LATITUDE = 0.2
+"""So much smaller or larger than is drawn today may a thing be that a home has: earlier versions drew others."""
 Part = tuple[Any, ...]
 """A shape's name, the slot of its material, and where it is in the box."""
 

@@ -118,8 +118,9 @@ def _check(category: str, style: str, mm: tuple[int, ...]) -> None:
         return
     kind = categories.TABLE.get(category) or small.TABLE[category]
     standing = small.upright(style, mm)[1] if category in small.TABLE else mm
+    spare = small.LATITUDE if category in small.TABLE else 0.0
     for value, least, most, side in zip(standing, kind.min, kind.max, ("depth", "width", "height"), strict=True):
-        if not round(least * 1000) <= value <= round(most * 1000):
+        if not round(least * (1 - spare) * 1000) <= value <= round(most * (1 + spare) * 1000):
             raise BadInput(f"{category}: {side} {value / 1000} m is outside [{least}, {most}]; give a size within it")
 
 
