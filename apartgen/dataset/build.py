@@ -54,8 +54,8 @@ def build(source: Source, folder: Path, *, seed: int = 0, given: Settings | None
 
 
 def _lost(asked: Asked) -> Done:
-    """The row of a home whose worker was killed, twice."""
-    why = "its process ended without an answer, twice: killed, or out of memory"
+    """The row of a home whose worker was killed, again and again."""
+    why = "its process ended without an answer, again and again: killed, or out of memory"
     return Done(b"", row_of(asked) | {"error": why, "status": 1, "seconds": {}})
 
 

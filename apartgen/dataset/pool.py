@@ -19,8 +19,8 @@ Work = TypeVar("Work")
 Result = TypeVar("Result")
 AHEAD = 8
 """Pieces of work a worker that are under way, or done before their turn."""
-ENDED = 2
-"""Workers of its own that a piece must have ended to be given up."""
+ENDED = 4
+"""Workers of its own that a piece must have ended to be given up: one may be killed by others, and another after it."""
 STARTS, PAUSE = 60, 0.5
 """How often a worker is tried to be started, and s between."""
 SETTLED = 2
@@ -109,8 +109,8 @@ def _is_done(future: Future[Result] | None) -> bool:
 
 
 def _alone(function: Callable[[Work], Result], piece: Work, lost: Callable[[Work], Result]) -> _Told[Result]:
-    """In a pool of its own, lost when it has ended two of them. What starts workers may be dying itself: a worker that
-    could not be started says nothing of the piece, and is waited for.
+    """In a pool of its own, lost when it has ended too many of them. What starts workers may be dying itself: a worker
+    that could not be started says nothing of the piece, and is waited for.
     """
     deaths = 0
     for _ in range(STARTS):

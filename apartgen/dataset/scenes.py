@@ -14,7 +14,7 @@ from apartgen.schemas.errors import ApartgenError
 from apartgen.schemas.plan import Plan
 
 STORE = "store"
-ENDED = "its process ended without an answer, twice"
+ENDED = "its process ended without an answer, again and again"
 
 
 def export(store: Store, rows: Iterable[Row], out: Path, settings: outputs.ExportSettings,

@@ -95,6 +95,13 @@ def test_a_piece_that_kills_its_worker_is_lost_alone_and_in_its_place():
     assert found == [f"lost {pieces[i]}" if i in (0, 5) else i * i for i in range(12)]
 
 
+def test_a_piece_whose_workers_are_killed_by_others_is_done_all_the_same(tmp_path):
+    """Killed in the pool and then thrice alone, as a host without memory may."""
+    deadly = (f"(lambda killed: [1, __import__('os')._exit(9)] if killed.write('x') and killed.tell() < 5 else 7)"
+              f"(open({str(tmp_path / 'deaths')!r}, 'a', buffering=1))")
+    assert list(pool.results(eval, [deadly, "2", "3"], 2, partial(str.__add__, "lost "))) == [7, 2, 3]
+
+
 def test_work_goes_on_when_what_starts_the_workers_is_killed_meanwhile():
     """Stopped, it takes the wish for a worker without answering; then it dies."""
     assert list(pool.results(eval, ["1"] * 3, 2, str)) == [1] * 3
