@@ -13,6 +13,8 @@ FURTHEST = 2**62
 """No home begins further on in its shard, and nothing can be looked for beyond, bytes."""
 LONGEST = 2**30
 """No home takes more of a shard, bytes; so much is made room for before it is read."""
+WIDEST = 1e6
+"""No room is wider, m: the squares of sides are added up."""
 
 
 def _plain(name: str) -> str:
@@ -52,7 +54,7 @@ class _Made(_Asked):
     rooms: dict[str, int]
     objects: dict[str, int]
     signature: str
-    sides: list[float] = Field(min_length=2)
+    sides: list[Annotated[float, Field(ge=0, le=WIDEST)]] = Field(min_length=2)
     area: float
     split: str = ""
 

@@ -17,7 +17,8 @@ TEXTS: dict[str, list[Any]] = tomllib.loads((files("apartgen.dataset") / "progra
 _SYMBOL, _NUMBER = re.compile(r"\{([a-z_]+)\}"), re.compile(r"\{(\d+)-(\d+)(?:/(\d+))?\}")
 
 WORDS = {
-    "study": "study", "balcony": "balcony", "dining room": "dining_room", "utility room": "utility", "laundry": "utility",
+    "study": "study", "balcony": "balcony", "dining room": "dining_room", "utility room": "utility",
+    "laundry": "utility",
     "storage room": "storage", "pantry": "storage", "walk-in closet": "closet",
 }
 """Rooms beyond those that every home has, by their words: none of them is there unless it is named."""

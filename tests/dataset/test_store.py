@@ -114,7 +114,8 @@ def test_work_goes_on_when_what_starts_the_workers_is_killed_meanwhile():
 
 @pytest.mark.parametrize("change", [
     {"shard": "../../etc/passwd"}, {"id": "../x"}, {"id": "a/b"}, {"start": -1}, {"start": 2**70},
-    {"length": 10**15}, {"length": 2**70}, {"sides": [1.0, None]}, {"sides": []}, {"rooms": None}, {"digests": {}},
+    {"length": 10**15}, {"length": 2**70}, {"sides": [1.0, None]}, {"sides": []}, {"sides": [1.0, 1e300]},
+    {"sides": [-1.0, 1.0]}, {"sides": [1.0, float("nan")]}, {"rooms": None}, {"digests": {}},
     {"seconds": 3}, {"seed": "1"}])
 def test_a_row_that_no_run_wrote_is_bad_input(tmp_path, change):
     filled(tmp_path)
