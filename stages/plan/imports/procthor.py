@@ -87,7 +87,10 @@ def _axis(wall: Part) -> np.ndarray:
 def _hole(row: Part, kind: Any, walls: dict[str, Part], floors: dict[str, Polygon]) -> Hole:
     """A hole is measured along its first wall from that one's start; exported ones say how their leaf turns."""
     start, end = _axis(walls[row["wall0"]])
-    along = (end - start) / np.hypot(*(end - start))
+    wall = float(np.hypot(*(end - start)))
+    if not 0 < wall < np.inf:
+        raise ValueError(f"{row.get('id', 'one')} is in a wall of {wall:g} m")
+    along = (end - start) / wall
     a, b = (start + float(p["x"]) * along for p in row["holePolygon"])
     sill, head = (float(p["y"]) for p in row["holePolygon"])
     bare = kind == "door" and str(row.get("assetId", "")).startswith("Doorframe")

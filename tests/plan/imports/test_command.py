@@ -38,6 +38,17 @@ def test_what_is_completed_is_said_on_standard_error(cli, tmp_path: Path) -> Non
     assert f"warning: {file}: no entrance: one put into" in done.err and "no door leads to" in done.err
 
 
+@pytest.mark.filterwarnings("error")
+def test_a_door_in_a_wall_without_length_is_told(cli, tmp_path: Path) -> None:
+    file = tmp_path / "house.json"
+    house = json.loads(writers.procthor(homes.furnished("studio", 0)))
+    wall = next(wall for wall in house["walls"] if wall["id"] == house["doors"][0]["wall0"])
+    wall["polygon"] = [wall["polygon"][0]] * len(wall["polygon"])
+    file.write_text(json.dumps(house))
+    done = cli("plan", "--from", file, "-o", tmp_path / "plan.json")
+    assert done.code == 2 and "is in a wall of 0 m" in done.err and len(done.err.splitlines()) <= 2
+
+
 def test_errors_are_one_line_with_the_file_and_the_place(cli, tmp_path: Path) -> None:
     file = tmp_path / "house.json"
     house = json.loads(writers.procthor(homes.furnished("studio", 0)))
