@@ -16,8 +16,8 @@ OFF, MIDDLE = 0.1, 0.4
 """Half extents of the home by which a room's middle lies to a side, and at most from the middle in the centre."""
 BESIDE, SHARED, NEAR = 0.5, 0.5, 3.0
 """Metres between the middles of rooms beside one another, of wall that neighbours share, and that are near."""
-TOLERANCE, LENGTH = 0.03, 0.1
-"""Parts by which areas and lengths may differ."""
+TOLERANCE, AREA, LENGTH = 0.03, 0.05, 0.1
+"""Parts by which limits, areas and lengths may differ."""
 
 
 @dataclass(frozen=True)
@@ -79,6 +79,8 @@ def met(asked: Requirement, seen: Seen) -> bool | None:
             return _across(asked.of, other, seen)
         case "dimension":
             return _sides(seen.floors[asked.of], *lengths(str(asked.value)))
+        case "area":
+            return bool(abs(seen.floors[asked.of].area / float(asked.value or 0) - 1) <= AREA)
         case "order":
             return _ordered(asked.of, other, str(asked.value), seen)
         case "at_least" | "at_most" if asked.to == "width":

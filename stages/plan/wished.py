@@ -1,12 +1,13 @@
 """What an arrangement lacks of the places, neighbours and lengths asked for, compiled.
 
-A wish is a row: what kind it is, a room, another one, a direction, two lengths or the most and least of one, and what
-it counts.
+A wish is a row: what kind it is, a room, another one, a direction, two lengths or the most and least of one or of an
+area, and what it counts.
 """
 
 from apartgen.stages.plan.slicing import (
     EPS,
     L_WALL,
+    R_AREA,
     R_LEAST,
     R_WIDTH,
     R_X0,
@@ -20,6 +21,7 @@ from apartgen.stages.plan.slicing import (
 )
 
 PLACE, CENTRE, BESIDE, NEAR_ENTRANCE, FAR_FROM_ENTRANCE, ADJACENT, APART, LENGTHS, LONG, WIDE, SERVING = range(11)
+SIZE = 11
 REACH, WALL, CARRIED = 1.5, 1.0, 1.5
 """Distance from the entrance that is near, wall that neighbours share, distance of walls with doors that is near, m."""
 ASIDE, MIDDLE = 0.15, 0.2
@@ -106,6 +108,12 @@ def _limited(p: Problem, room: Floats, long: bool, at_most: float, at_least: flo
 
 
 @inner
+def _sized(area: float, at_most: float, at_least: float) -> float:
+    # part by which an area is beyond a limit
+    return float(max(0.0, area / at_most - 1, 1 - area / at_least if at_least > 0 else 0.0))
+
+
+@inner
 def wished(p: Problem, z: Scratch, box: Floats) -> float:
     """What the state in `z` lacks of the wishes, `box` being the home's."""
     total = 0.0
@@ -134,6 +142,8 @@ def wished(p: Problem, z: Scratch, box: Floats) -> float:
             lack = _lengths(p, room, x, y)
         elif kind == SERVING:
             lack = max(0.0, _served(z.wall[int(x)], z.wall[int(y)]) - CARRIED)
+        elif kind == SIZE:
+            lack = _sized(room[R_AREA], x, y)
         else:
             lack = _limited(p, room, kind == LONG, x, y)
         total += wish[5] * lack

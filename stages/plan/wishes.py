@@ -16,15 +16,17 @@ DIRECTIONS: Mapping[str, tuple[int, int]] = {
 """Where on the drawing a place is, north up."""
 COUNTS = {wished.PLACE: 400.0, wished.CENTRE: 400.0, wished.BESIDE: 20.0, wished.NEAR_ENTRANCE: 12.0,
           wished.FAR_FROM_ENTRANCE: 8.0, wished.ADJACENT: 60.0, wished.APART: 40.0, wished.LENGTHS: 25.0,
-          wished.LONG: 200.0, wished.WIDE: 400.0}  # fmt: skip
-"""What each lack counts: of places in half extents of the home, of others in metres."""
+          wished.LONG: 200.0, wished.WIDE: 400.0, wished.SIZE: 800.0}  # fmt: skip
+"""What each lack counts: of places in half extents of the home, of areas in parts of them, of others in metres."""
 ENTRANCE = {"front": wished.NEAR_ENTRANCE, "near": wished.NEAR_ENTRANCE, "back": wished.FAR_FROM_ENTRANCE,
             "apart": wished.FAR_FROM_ENTRANCE}  # fmt: skip
 
 
 EXTENTS = {"length": wished.LONG, "width": wished.WIDE}
 UNLIMITED = 1e3
-"""Metres that no room has."""
+"""Metres, and square metres, that no room has."""
+CLOSE = 0.02
+"""Part by which an area may be off that was said."""
 
 
 def wishes(program: Program) -> Floats:
@@ -53,6 +55,11 @@ def _row(asked: Requirement, index: dict[str, int]) -> list[tuple[int, int, int,
             return [(wished.ADJACENT if asked.kind == "adjacent" else wished.APART, room, other, 0, 0)]
         case "dimension":
             return [(wished.LENGTHS, room, -1, *lengths(value))]
+        case "area":
+            return [(wished.SIZE, room, -1, float(value) * (1 + CLOSE), float(value) * (1 - CLOSE))]
+        case "at_least" | "at_most" if asked.to is None:
+            most, least = (float(value), 0.0) if asked.kind == "at_most" else (UNLIMITED, float(value))
+            return [(wished.SIZE, room, -1, most, least)]
         case "at_least" | "at_most" if asked.to in EXTENTS:
             most, least = (float(value), 0.0) if asked.kind == "at_most" else (UNLIMITED, float(value))
             return [(EXTENTS[asked.to], room, -1, most, least)]

@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from shapely.geometry import Polygon
 
 from apartgen.schemas.plan import Program
-from apartgen.stages.plan import reader
+from apartgen.stages.plan import PlanConfig, build, reader
 
 TEXTS: dict[str, list[Any]] = tomllib.loads((files("apartgen.dataset") / "programmes.toml").read_text())
 _SYMBOL, _NUMBER = re.compile(r"\{([a-z_]+)\}"), re.compile(r"\{(\d+)-(\d+)(?:/(\d+))?\}")
@@ -114,3 +115,19 @@ def test_prompts_are_read_as_meant(batch):
         program = reader.read(text)
         wrong += [(text, *found)] if (found := faults(program, meant)) else []
     assert wrong == []
+
+
+@pytest.mark.slow
+def test_rooms_are_built_as_large_as_prompts_say():
+    off, tried = [], 0
+    for i in range(1000):
+        meant, rng = Meant(), np.random.default_rng([67, i])
+        program = reader.read(" ".join(drawn(rng, "home", meant).split()))
+        if not meant.areas:
+            continue
+        built = {room.id: Polygon(room.polygon).area for room in build(program, PlanConfig(), rng).rooms}
+        asked = {room.id: room.area or 0.0 for room in program.rooms if room.area == meant.areas.get(room.type)}
+        off += [abs(built[room] / area - 1) for room, area in asked.items()]
+        tried += 1
+    print(f"{tried} prompts, {len(off)} rooms: within 5 % {np.mean(np.array(off) <= 0.05):.3f}, most {max(off):.3f}")
+    assert tried >= 200 and np.mean(np.array(off) <= 0.05) >= 0.97

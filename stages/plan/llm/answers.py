@@ -4,6 +4,7 @@ import json
 import re
 from collections.abc import Iterator
 from functools import cache
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from apartgen.schemas.base import Record
 from apartgen.schemas.plan import Program, Requirement
 from apartgen.schemas.rooms import kinds
 from apartgen.stages.plan.llm.model import Answer
+from apartgen.stages.plan.reader.requirements import sizes
 from apartgen.stages.things.categories import TABLE
 
 TERMS = (
@@ -29,7 +31,7 @@ PLACES = (
 KINDS: dict[str, tuple[str, ...]] = {
     "position": PLACES, "orientation": PLACES[:8], "adjacent": (), "apart": (), "near": (), "opposite": (),
     "order": ("larger", "smaller", "largest", "smallest"), "dimension": ("<length> x <width>",),
-    "at_least": ("<m²>",), "at_most": ("<m²>",), "use": ("<type of room>",),
+    "area": ("<m²>",), "at_least": ("<m²>",), "at_most": ("<m²>",), "use": ("<type of room>",),
 }  # fmt: skip
 """Kinds of requirements and their values; those without have another room or the entrance in `to`."""
 
@@ -89,7 +91,16 @@ def programme(answer: Answer) -> Program:
     if problems:
         raise Broken("; ".join(problems[:6]))
     asked = [r.model_copy(update={"met": None}) for r in reply.program.requirements]
-    return reply.program.model_copy(update={"requirements": asked})
+    return reply.program.model_copy(update={"requirements": [*asked, *_areas(reply.program)]})
+
+
+def _areas(program: Program) -> Iterator[Requirement]:
+    """Areas of rooms, which are null where the description says none, as what is asked of them."""
+    sized, used = {r.of for r in program.requirements if sizes(r.kind, r.to)}, {r.id for r in program.requirements}
+    numbers = (n for n in count(1) if f"asked_{n}" not in used)
+    for room in program.rooms:
+        if room.area is not None and room.id not in sized:
+            yield Requirement(id=f"asked_{next(numbers)}", kind="area", of=room.id, value=f"{room.area:g}")
 
 
 def faults(program: Program) -> list[str]:

@@ -246,7 +246,7 @@ _ORDERED = [(late(pattern), words) for pattern, words in (
      r", \1living room. all rooms open onto the living room"),
     (r"\b(the (?:[a-z]+ ){0,2}bedrooms) ((?:should |must )?(?:share a wall with|are next to|be next to)) each other,? "
      r"but not (?:with|to|next to) (the [a-z ]+?)(?= ?(?:[.,;]|$))", r"\1 \2 each other. they are not next to \3"),
-    (r"\b((?:cocina|salon|bano|dormitorio|terraza|comedor)(?: \w+)?) de (\d+) metros(?! de)", r"\1 de \2 m2"),
+    (r"\b((?:cocina|salon|bano|dormitorio|terraza|comedor)(?: \w+)?) de (\d+) metros(?! de| cuadrad)", r"\1 de \2 m2"),
     (r"\b((?:[a-z]+teen|ten|twelve|eleven|twenty|thirty|forty)) (met(?:er|re)s) square\b", r"\1 square \2"),
     (r",? (?:and |who )?they (?:both |all )?sleep in (?:the )?(?:same|one) (?:bed)?room\b(?!,? (?:in|with) )",
      " who share a room"),

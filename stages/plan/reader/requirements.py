@@ -37,6 +37,7 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
             again = (row[0], row[2], row[1], *row[3:]) if row[0] in MUTUAL else row
             found += [] if row in found or again in found else [row]
     found += _short(said, home, ids)
+    found += _sized(said, home, ids, {of for kind, of, to, *_ in found if sizes(kind, to)})
     return [
         Requirement(id=f"asked_{n}", kind=kind, of=a, to=b, value=value, text=in_its_language(text, said.prompt))
         for n, (kind, a, b, value, text) in enumerate(found, 1)
@@ -100,6 +101,24 @@ def _short(said: Said, home: Household, ids: dict[int, str]) -> list[tuple[str, 
     """Of every hallway where no long ones are wanted."""
     halls = home.of("hallway") if "no_long_hallway" in said.styles else []
     return [("at_most", ids[id(hall)], "length", f"{LONG:g}", "no long hallway") for hall in halls]
+
+
+def sizes(kind: str, to: str | None) -> bool:
+    """Whether a requirement says how large a room is, so that its area alone need not be asked for."""
+    return kind in ("area", "dimension") or kind in ("at_least", "at_most") and to is None
+
+
+def _sized(
+    said: Said, home: Household, ids: dict[int, str], told: set[str]
+) -> Iterator[tuple[str, str, str | None, str | None, str]]:
+    """Areas that were said of rooms one by one."""
+    phrases = [phrase for room in said.rooms for phrase in (room, *room.owned) if phrase.areas]
+    named = {id(e): phrase for phrase in phrases for e in entities([phrase], home)}
+    for room in home.rooms:
+        phrase = named.get(id(room))
+        if room.area is not None and ids[id(room)] not in told and not (phrase and phrase.together):
+            value = f"{room.area:.2f}".rstrip("0").rstrip(".")
+            yield "area", ids[id(room)], None, value, f"{phrase.text if phrase else 'every room'} {value} m²"
 
 
 def _neighbours(statements: list[Statement]) -> Iterator[Asked]:

@@ -80,6 +80,15 @@ def test_good_replies_are_the_programme(text: str) -> None:
     assert all(r.met is None for r in program.requirements)
 
 
+def test_areas_that_are_given_are_asked_for() -> None:
+    rooms = [room | {"area": area} for room, area in zip(FLAT["rooms"], (24, 9.5, 12, None, None), strict=True)]
+    rows = [{"id": "asked_2", "kind": "at_least", "of": "bedroom_1", "to": None, "value": 12, "text": ""},
+            {"id": "asked_3", "kind": "near", "of": "kitchen_1", "to": "entrance", "text": ""}]  # fmt: skip
+    found = programme(Answer(reply(rooms=rooms, requirements=rows))).requirements
+    assert [(r.id, r.kind, r.of, r.value) for r in found[2:]] == [
+        ("asked_1", "area", "living_room_1", "24"), ("asked_4", "area", "kitchen_1", "9.5")]  # fmt: skip
+
+
 @pytest.mark.parametrize(("text", "named"), BROKEN)
 def test_bad_replies_say_what_is_wrong(text: str, named: str) -> None:
     with pytest.raises(Broken, match=named):

@@ -38,7 +38,8 @@ def test_sentences_say_the_same_in_any_order(language: str) -> None:
         assert areas["kitchen_1"] == 12 and areas["bathroom_1"] >= 6 and areas["living_room_1"] > 12, text
         assert [link for link in found.links if "storage_1" in link] == [("kitchen_1", "storage_1")], text
         assert {(r.kind, r.of, r.to, r.value) for r in found.requirements} == {
-            ("adjacent", "study_1", "bathroom_1", None), ("at_least", "bathroom_1", None, "6"),
+            ("adjacent", "study_1", "bathroom_1", None), ("area", "kitchen_1", None, "12"),
+            ("at_least", "bathroom_1", None, "6"),
             ("order", "living_room_1", "kitchen_1", "larger"), ("orientation", "study_1", None, "south")}, text
         assert found.unread == [], text
 

@@ -260,7 +260,7 @@ def short(of: str) -> str:
 
 def said(program: Program) -> set[str]:
     """All that is neither room nor door, but for areas."""
-    asked = [[r.kind, short(r.of), r.to and short(r.to), r.value] for r in program.requirements]
+    asked = [[r.kind, short(r.of), r.to and short(r.to), r.value] for r in program.requirements if r.kind != "area"]
     every = [" ".join(str(part) for part in one if part is not None) for one in asked]
     every += [f"{short(b)}~{short(a)}" for a, b in program.open_links]
     every += [f"{short(r.id)}<{short(r.private_to)}" for r in program.rooms if r.private_to]
@@ -280,6 +280,8 @@ def test_the_programme_of_a_sentence(prompt: str, rooms: str, doors: str, behind
     off = {short(room.id) for room in program.rooms} - {*behind.split(), "H1"} if "H" in kinds else set()
     assert {link.replace("H1", "") for link in hall} == off
     areas = dict(entry.split("=") for entry in rest.split(", ") if "=" in entry)
+    of_rooms = {(short(r.of), str(r.value)) for r in program.requirements if r.kind == "area"}
+    assert of_rooms <= {*areas.items()}, "what is asked of areas is what was said"
     assert said(program) == {entry for entry in rest.split(", ") if entry and "=" not in entry}
     found = {short(room.id): room.area for room in program.rooms} | {"all": program.total_area}
     assert {name: found[name] for name in areas} == {name: float(area) for name, area in areas.items()}
