@@ -33,6 +33,9 @@ CUT_OFF = 0.05
 ODD = (0.6, 2.0)
 """Share of large rooms, and of living rooms, that are made of two rectangles where nothing need be regular."""
 
+HUB, HUB_PARTS = 4, (0.2, 0.4, 0.4)
+"""Doors from which on a room of a home that is told whole is a hub, and how often one is of one to three rectangles."""
+
 EATEN_IN = ("dining_room", "living_room")
 """Rooms that a kitchen lies at, the best first."""
 
@@ -86,6 +89,8 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
 
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
+    if program.complete and room.type != "hallway" and sum(room.id in pair for pair in links(program)) >= HUB:
+        return int(rng.choice([1, 2, 3], p=HUB_PARTS))
     if room.type != "hallway":
         asked = program.weights.get("conciseness", 1.0) * program.weights.get("convexity", 1.0)
         odd = ODD[room.type == "living_room"] * (1 - program.regularity) / max(asked, 0.5)

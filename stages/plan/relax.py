@@ -8,7 +8,6 @@ from shapely.geometry import Polygon
 from apartgen.schemas.plan import AskedRoom, Program
 from apartgen.stages.plan.check import check, entrance_room, links
 from apartgen.stages.plan.problem import Slack
-from apartgen.stages.plan.wishes import wishes
 
 INNER = 1.05
 """Area within an outline over that of its rooms, because of the walls between."""
@@ -20,6 +19,8 @@ LOOSE = 0.19
 
 HEED = 0.1
 """Share that wishes count where no plan is found with all they count."""
+AGAIN = 3
+"""How often everything is then tried anew; a second time only within a given outline, where a run takes longer."""
 
 
 @dataclass(frozen=True)
@@ -33,9 +34,9 @@ class Step:
 
 
 def ladder(program: Program) -> Iterator[Step]:
-    """Rungs from nothing given up to as much as may be; then the same once more with wishes that hardly count."""
+    """Rungs from nothing given up to as much as may be; then the same anew, with wishes that hardly count."""
     yield from _rungs(program)
-    if len(wishes(program)):
+    for _ in range(AGAIN if program.envelope.outline is None else 1):
         yield from (replace(step, slack=replace(step.slack, heed=HEED)) for step in _rungs(program))
 
 

@@ -186,7 +186,8 @@ def _read(program: Program, names: dict[str, str], told: set[str]) -> Facts:
         "opening": opened, "area": areas, "scaled": _scaled(program, names, told),
         "ratio": [(a, b, m / n) for (a, m), (b, n) in permutations(areas, 2)],
         "total": [(float(program.total_area),)] if program.total_area else [],
-        "asked": [_asked(q.kind, named[q.of], named.get(q.to or "", q.to), q.value) for q in program.requirements],
+        "asked": [_asked(q.kind, named[q.of], named.get(q.to or "", q.to), q.value) for q in program.requirements
+                  if q.kind != "area"],
         "object": [(names[o.room], o.category, o.count) for o in program.objects],
     }  # fmt: skip
 

@@ -33,7 +33,7 @@ def described(words: list[Lexeme], said: Said) -> bool:
         _say(topic, rooms, said)
     _bathrooms(topics, rooms, said)
     _balconies(topics, rooms, said)
-    said.only = True
+    said.only = said.described = True
     said.unread += reading.unread
     return True
 

@@ -4,14 +4,13 @@ from apartgen.stages.plan.reader.differences import by_difference, differs
 from apartgen.stages.plan.reader.enumerated import known_list, subjects_listed
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.remarks import behind_remark, small_home
+from apartgen.stages.plan.reader.resized import SMALLEST
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 LARGE = 40.0
 """Area, m², that no room has of which several are alike."""
-SMALLEST = 18.0
-"""Area, m², that no home falls below; `a storage room of 15 m²` is a room."""
 MOST = 1000.0
 """Greatest area, m², that may be the flat's where it stands with a room."""
 
@@ -61,16 +60,6 @@ def _totals(items: list[Item], k: int) -> bool:
     """`piso de dos dormitorios`, `three bedrooms in total`."""
     before, after = items[max(k - 1, 0)], items[k + 1 : k + 2]
     return (k > 0 and before.kind == "dwelling") or any(i.kind == "area_word" and i.value == "total" for i in after)
-
-
-def of_the_last(items: list[Item], before: list[RoomPhrase]) -> list[Item]:
-    """`It measures 30 m²` gives an area to the one room spoken of before, as far as a room may have it."""
-    said_of = [i for i in items if i.kind not in ("copula", "conjunction", "mark", "area_word", "reach")]
-    fits = [i.kind for i in said_of] == ["pronoun", "area"] and len(before) == 1 and not before[0].headline
-    if not fits or before[0].areas or said_of[1].values[0] > 5 * sense()["area"].get(before[0].type, 12.0):
-        return items
-    before[0].areas, before[0].sides = said_of[1].values, said_of[1].sides
-    return []
 
 
 def attach_areas(items: list[Item], said: Said) -> list[Item]:

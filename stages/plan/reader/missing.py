@@ -10,6 +10,9 @@ from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
+EVERY = ("living_room", "kitchen", "bathroom")
+"""Rooms of every home."""
+
 
 def full_graph(said: Said, home: Household, doors: Doors) -> bool:
     """Whether the doors said connect all rooms named and make a home of them."""
@@ -54,6 +57,11 @@ def _lone(said: Said, home: Household) -> bool:
         or all(p.type in ("hallway", "any") and p.quantifier in (Det.THE, Det.EACH) for p in said.rooms)  # "every room"
     )
     return len(home.rooms) < 3 and not homely
+
+
+def beside_usual(said: Said, home: Household) -> bool:
+    """`a studio with a balcony, nothing else`: nothing beside the rooms that every home has and that are not named."""
+    return bool(said.dwelling) and not said.described and not all(map(home.of, EVERY))
 
 
 def _counted_off(said: Said) -> bool:

@@ -22,7 +22,7 @@ from apartgen.stages.plan.reader.known_words import in_known_words
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.limited import limited, mutual, undoored
-from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
+from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
@@ -34,6 +34,7 @@ from apartgen.stages.plan.reader.purposes import purposes
 from apartgen.stages.plan.reader.quantities import quantities
 from apartgen.stages.plan.reader.relations import place, relations
 from apartgen.stages.plan.reader.remarks import of_that_home
+from apartgen.stages.plan.reader.resized import of_the_last
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
 from apartgen.stages.plan.reader.tokens import tokenize

@@ -21,7 +21,7 @@ from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.languages import understood
 from apartgen.stages.plan.reader.links import complete_links, edge
 from apartgen.stages.plan.reader.mention import RoomPhrase
-from apartgen.stages.plan.reader.missing import add_missing_rooms, full_graph
+from apartgen.stages.plan.reader.missing import add_missing_rooms, beside_usual, full_graph
 from apartgen.stages.plan.reader.nurseries import children
 from apartgen.stages.plan.reader.parse import mentions, parse
 from apartgen.stages.plan.reader.requirements import requirements
@@ -70,13 +70,13 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
     home.open_kitchen = home.open_kitchen or (said.open_plan and not closed)
     consistent(said, home)
     doors = doors_said(said.statements, home)
-    complete = said.only or full_graph(said, home, doors)
+    complete = said.only and not beside_usual(said, home) or full_graph(said, home, doors)
     if not complete:
         named = {room.type for room in home.rooms} | ({"any"} if said.main_rooms else set())
         named |= {"studio"} if said.dwelling == "studio" else set()
         add_bedrooms(said, home, rng)
         add_missing_rooms(said, home, doors)
-        if rng is not None:
+        if rng is not None and not said.only:
             add_rooms(said, home, doors, named, rng)
     every_room(said.statements, home, doors)
     _every_area(said, home)

@@ -3,7 +3,11 @@
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.vocabulary import Det
+
+SMALLEST = 18.0
+"""Area, m², that no home falls below; `a storage room of 15 m²` is a room."""
 
 
 def of_another(out: list[Item], start: int) -> bool:
@@ -49,3 +53,18 @@ def resized(out: list[Item], room: RoomPhrase) -> None:
     """`correction: kitchen 12 m²`: puts the area in the place of the kitchen's before, where one was said."""
     if room.areas and _resized(out, _area_of(room), len(out), room):
         room.areas, room.sides, room.bounds, room.quantifier = (), (), (), Det.THE
+
+
+def of_the_last(items: list[Item], before: list[RoomPhrase]) -> list[Item]:
+    """`It measures 30 m²` gives an area to the one room spoken of before, as far as a room may have it."""
+    said_of = [i for i in items if i.kind not in ("copula", "conjunction", "mark", "area_word", "reach")]
+    area = said_of[-1] if said_of else None
+    spoken = [i.kind for i in said_of]
+    named = spoken == ["pronoun", "area"] or (spoken == ["area"] and any(i.kind == "area_word" for i in items))
+    if area is None or not named or len(before) != 1 or before[0].areas:
+        return items
+    small = area.values[0] < SMALLEST  # "one bedroom. its size is 12 m²"
+    if area.values[0] > 5 * sense()["area"].get(before[0].type, 12.0) or before[0].headline and not small:
+        return items
+    before[0].areas, before[0].sides, before[0].bounds = area.values, area.sides, area.bounds
+    return []

@@ -52,6 +52,7 @@ class Said:
     equal: bool = False
     open_plan: bool = False
     only: bool = False
+    described: bool = False
     graph: bool = False
     styles: list[str] = field(default_factory=list)
     shape: str = ""

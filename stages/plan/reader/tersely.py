@@ -1,0 +1,104 @@
+"""What is asked for in few words, or in words that rules of other clauses would take for rooms of their own."""
+
+import re
+
+from apartgen.stages.plan.reader.pieces import reworded, rules
+
+
+def _each_wants(found: re.Match[str]) -> str:
+    """`three students … we each want a bedroom of 12 m²`: so many bedrooms of that size."""
+    size = f" of {found['size']} each" if found["size"] else ""
+    return f"{found['before']}{found['n']} bedrooms{size}"
+
+
+def _through(found: re.Match[str]) -> str:
+    """`find hallways a waste of space`, `come straight into the living room and have A, B and C open off it`."""
+    return f"no hallway. the entrance leads into {found['one']}. {found['rooms']} open off {found['one']}"
+
+
+def _facing(found: re.Match[str]) -> str:
+    """`bedroom windows (both) east`: both bedrooms face east."""
+    several = f"{found['all']} {found['a'].removesuffix('s')}s"
+    return f"{several if found['all'] else found['a']} facing {found['side']}"
+
+
+def _windows(found: re.Match[str]) -> str:
+    """`window_facing: {bedroom: east, living_room: south}`."""
+    pairs = re.findall(r"([a-z][a-z ]*?(?: \d)?) ?: ?(north|south|east|west)", found["pairs"])
+    return "; ".join(f"{room} faces {side}" for room, side in pairs) or found.group()
+
+
+_SAID = rules((
+    (r"\bwindows? ?(?:facing|sides?|orientation) ?:? ?\{(?P<pairs>[^{}]*)\}", _windows),
+    # "kitchen = 2x bathroom", "living = biggest room"
+    (r"\b(?P<a>{one}) ?: ?(?P<n>\d+(?:\.\d+)?) ?x (?P<b>{one})(?= ?(?:[,.;\n(]|$))", r"\g<a> is \g<n> times as "
+     r"large as \g<b>"),
+    (r"\b(?P<a>{one}) ?: ?(?:the )?(?P<most>biggest|largest|smallest)(?: room)?(?= ?(?:[,.;\n]|$))", r"\g<a> is "
+     r"the \g<most> room"),
+    # "no door kitchen<->hall"
+    (r"\bno door:? (?P<a>{one}) ?(?:<-+>|<->|->|-|/|to) ?(?P<b>{one})\b", r"no door between \g<a> and \g<b>"),
+    # "storage shares a wall with the kitchen but no door between them"
+    (r"\b(?P<a>(?:the )?{one}(?: \d)?) (?:{must} )?(?:shares?|sharing) an? (?:common )?wall (?:w/ ?|with "
+     r")(?P<b>(?:the )?{one}(?: \d)?),? (?:but |and |with )?(?:there is )?no door between (?:them|those two|the "
+     r"two|these)",
+     r"\g<a> is next to \g<b>. no door between \g<a> and \g<b>"),
+    # "I don't want that the bathroom has a common wall with the kitchen", "we would hate to have a door from A to B"
+    (r"\bi (?:do not|don't) want (?:that )?(?P<a>(?:the )?{one}) (?:has|have|shares?|to (?:have|share)) "
+     r"(?:an? )?(?:common )?wall with "
+     r"(?P<b>(?:the )?{one})", r"\g<a> must not be next to \g<b>"),
+    (r"\b(?:i|we)(?: would|'d)? (?:hate|dislike|not like)(?: to have| having)? (?:a|any) door (?:straight |"
+     r"directly )?(?:from|between) "
+     r"(?P<a>(?:the )?{one}) (?:to|into|and) (?P<b>(?:the )?{one})", r"no door between \g<a> and \g<b>"),
+    # "the study must be apart from both bedrooms"
+    (r"\b({must}|{must} be kept) (?:be )?apart from (?=(?:the|both|all|every|my|our) )", r"\1 not be next to "),
+    # "opens off bedroom 1 rather than off the living room"
+    (r"\b(?P<of>(?:balcony|terrace|patio)(?: that| which)?(?: {must})?) (?P<verb>opens?(?: off| onto| to)|is off|"
+     r"be off) (?P<a>(?:the )?{one}(?: \d)?),? (?:rather than|instead of|and not|not)(?: off| onto| to| from)? (?:the )?living "
+     r"room", r"\g<of> \g<verb> \g<a>"),
+    # "my bedroom is also my office", "the one bedroom should also serve as my study"
+    (r"\b(?:my|the|our)(?: one| only| single)? bed ?room (?:is|{must}) (?:also|too) "
+     r"(?:be |serve as |double as |work as )?(?:my|our|the|an?) (?P<use>office|study|workplace|work ?room|home "
+     r"office)\b",
+     "the bedroom also serves as a study"),
+    # "only this one bedroom", "in bedroom I want", "one bedroom is enough"
+    (r"\b(?:i|we) (?:only )?need only (?:this|that) one bed ?room\b", "one-bedroom flat"),
+    (r"\b(?:and |but )?in (?=(?:bedroom|kitchen|bathroom|living room) (?:i|we) (?:want|need|would "
+     r"like)\b)", r"in the "),
+    # "dead centre of the floorplan", "doors of both bathrooms must be in the hallway"
+    (r"\b(?:dead|right in the|exact) (?:centre|center|middle) of (?:the )?(?:floor ?plan|plan|map|flat|"
+     r"level)\b", "in the centre"),
+    (r"\b(?:the )?doors? of (?P<a>both bath ?rooms|all bath ?rooms|the bath ?room|the kitchen|both bed ?rooms|"
+     r"all bed ?rooms) "
+     r"(?:{must} be|is|are|open|opens) (?:in|into|to|on|onto|at) the (?P<b>{hall})", r"\g<a> open off the \g<b>"),
+    # "must to be 5 meters long", "more bigger"
+    (r"\b(must|should|can) to (?=[a-z])", r"\1 "),
+    (r"\bmore (?=(?:bigger|larger|smaller|wider|longer)\b)", ""),
+    # "two bedroom. In first one a double bed, in second one two single beds"
+    (r"\bin (?:the )?(?P<nth>first|second|third)(?: one)?,? (?:(?:stands?|is|are|there is|there are|i want|put) "
+     r")?(?P<what>(?:an?|one|two|three) "
+     r"[a-z ]*?(?:beds?|bunk beds?|desks?|cots?|wardrobes?))(?={end}|,? and in |,? in )", r"\g<what> in the "
+     r"\g<nth> bedroom"),
+    # "living windows west, bedroom windows (both) east"
+    (r"\b(?P<a>living(?: room)?|bed ?rooms?|kitchen|study) windows?(?: \(?(?P<all>both|all)\)?)? (?:to (?:the "
+     r")?|facing )?(?P<side>north|south|east|west)(?={end})",
+     _facing),
+    # "Three students. We each want a bedroom of 12 m²"
+    (r"(?P<before>\b(?:we are|for|of) (?:(?:a|the) )?(?P<n>two|three|four|five) (?:students|friends|flatmates|"
+     r"roommates|housemates|colleagues|people|adults|siblings|sisters|brothers)\b"
+     r"[^.;]*[.;] ?)(?:we each|each of us|everyone|everybody) (?:want|need|get|would like|has|have|should "
+     r"have)s? (?:an?|our|their) (?:own )?"
+     r"(?:bed ?)?room(?: of (?P<size>\d+(?:\.\d+)? ?m2))?", _each_wants),
+    # "we find hallways a waste of space. We want to come straight into the living room and have A, B and C open off it"
+    (r"\b(?:i|we|my \w+ and i)? ?(?:find|consider|think) (?:hallways?|corridors?)(?: are| is)? a waste of "
+     r"(?:space|room|money)", "no hallway"),
+    (r"\b(?:(?:i|we) want to )?(?:come|enter|walk) (?:straight|directly|right) into (?P<one>the living room) "
+     r"and have (?P<rooms>[^.;]*?) "
+     r"(?:all )?open off it\b", _through),
+), one=r"(?:living(?: room)?|kitchen|dining(?: room)?|bed ?rooms?|bath ?rooms?|bath|hall(?:way)?|study|office|"
+     r"storage(?: room)?|"
+       r"pantry|closet|balcony|utility(?: room)?|laundry(?: room)?|toilet|wc|corridor)")  # fmt: skip
+
+
+def tersely(text: str) -> str:
+    """A folded text with such requests in words that the rules of rooms know."""
+    return reworded(text, _SAID)
