@@ -9,18 +9,23 @@ _FEET = r"(?i)ft²|ft2|sq\.? ?ft|square feet"
 _FACED = r"(?i)^(?:faces|facing|orientation|aspect)$"
 _COUNT = r"(?i)\b(?:count|number|qty|quantity|how many|anzahl|nombre|cantidad|no)\b|#|数量"
 _NUMBER = r"\d+(?:[.,]\d+)?"
+_HEAD = re.compile(
+    r"(?=.*\b(?:m2|m²|sqm|sq ?ft|area|size|count|qty|number)(?![a-z]))(?:[^\d|]|m2)*(?:\|(?:[^\d|]|m2)*)+", re.I)
+"""A row that names what stands below it."""
 
 
 def without_tables(text: str) -> str:
     """A text as written with each row of a table as a line of its own."""
-    if "|" not in text or "--" not in text:
-        return text
     lines = text.split("\n")
+    if sum("|" in line for line in lines) < 2:
+        return text
     out: list[str] = []
     head: list[str] = []
     for k, line in enumerate(lines):
         if "|" in line and k and "|" in lines[k - 1] and re.match(_RULE, line.strip()):
             head = _cells(out.pop())
+        elif not head and "|" in line and "|" in "".join(lines[k + 1 : k + 2]) and _HEAD.fullmatch(line.strip()):
+            head = _cells(line)  # no rule below it
         elif head and "|" in line:
             out.append(_row(head, _cells(line)))
         else:

@@ -53,8 +53,8 @@ _SAID = rules((
     (r"\b({must}|{must} be kept) (?:be )?apart from (?=(?:the|both|all|every|my|our) )", r"\1 not be next to "),
     # "opens off bedroom 1 rather than off the living room"
     (r"\b(?P<of>(?:balcony|terrace|patio)(?: that| which)?(?: {must})?) (?P<verb>opens?(?: off| onto| to)|is off|"
-     r"be off) (?P<a>(?:the )?{one}(?: \d)?),? (?:rather than|instead of|and not|not)(?: off| onto| to| from)? (?:the )?living "
-     r"room", r"\g<of> \g<verb> \g<a>"),
+     r"be off) (?P<a>(?:the )?{one}(?: \d)?),? (?:rather than|instead of|and not|not)(?: off| onto| to| from)? "
+     r"(?:the )?living room", r"\g<of> \g<verb> \g<a>"),
     # "my bedroom is also my office", "the one bedroom should also serve as my study"
     (r"\b(?:my|the|our)(?: one| only| single)? bed ?room (?:is|{must}) (?:also|too) "
      r"(?:be |serve as |double as |work as )?(?:my|our|the|an?) (?P<use>office|study|workplace|work ?room|home "
@@ -64,6 +64,38 @@ _SAID = rules((
     (r"\b(?:i|we) (?:only )?need only (?:this|that) one bed ?room\b", "one-bedroom flat"),
     (r"\b(?:and |but )?in (?=(?:bedroom|kitchen|bathroom|living room) (?:i|we) (?:want|need|would "
      r"like)\b)", r"in the "),
+    # "a bedroom with minimum 15 m2 and a bathroom with maximum 6 m2"
+    (r"\b(?P<a>an? {one}) with (?:an? )?(?P<limit>minimum|maximum|min|max|at least|at most)(?: of)? "
+     r"(?P<n>\d+(?:\.\d+)? ?m2)",
+     r"\g<a> of \g<limit> \g<n>"),
+    # "it takes place in the kitchen, so it should measure 4 x 5 m", "a living room in which a dining table stands"
+    (r"\bin (?P<room>the {one}),? so it (?={must} (?:be|have|measure))", r"in \g<room>. \g<room> "),
+    (r"\b(?P<room>(?:an?|the) {one}) in which (?P<what>(?:an?|two|three) [a-z ]+?) "
+     r"(?:stands?|is|are|belongs?|{must} (?:stand|be))"
+     r"(?={end})", r"\g<room> with \g<what>"),
+    # "a library twice as large as that bedroom, a bathroom, a kitchen", "a studio with a single bed in the room"
+    (r"\bas (?:that|this) (?=(?:{one})\b)", "as the "),
+    (r"(\bstudio with [^.;]*?) in the room,? and (?=an? )", r"\1. "),
+    # "the kitchen is opposite the bathroom, and the two bedrooms are opposite one another"
+    (r",? (?:and|while) (?=the two bed ?rooms are (?:opposite|next to|near) (?:one another|each other)\b)", ". "),
+    # "two exits, one to the hallway and one to the balcony"
+    (r"\b(has|have|with) (two|three) (?:exits|ways out)(?=,? ?(?::|one to))", r"\1 \2 doors"),
+    (r"\b(?P<room>the (?:balcony|terrace|{one})) can also be reached from (?P<other>the {one})",
+     r"\g<room> also has a door to \g<other>"),
+    # "a hallway is lost space, I do not want one"
+    (r"\b(?:for (?:me|us),? )?(?:an? |the )?(?:hallways?|corridors?) (?:is|are) (?:only |just "
+     r")?(?:lost|wasted|a waste of) space"
+     r"(?:,? (?:and |so )?(?:i|we) (?:do not|don't) (?:want|need|like) (?:one|any|them|it))?", "no hallway"),
+    # "no_door=(kitchen, living room), adjacent=(bedroom 1, bathroom)"
+    (r"\bno[ _]door ?:? ?\((?P<a>{one}(?: \d)?) ?, ?(?P<b>{one}(?: \d)?)\)", r"no door between \g<a> and \g<b>"),
+    (r"\badjacent ?:? ?\((?P<a>{one}(?: \d)?) ?, ?(?P<b>{one}(?: \d)?)\)", r"\g<a> is next to \g<b>"),
+    # "Inputs -> bedrooms: 2", "Size ordering -> living room larger than bedroom 1"
+    (r"(?P<begin>^|[.;\n] ?)(?:inputs?|outputs?|rooms|sizes?(?: "
+     r"order(?:ing)?)?|order(?:ing)?|layout|constraints?) ?-> ?", r"\g<begin>"),
+    # "two bathrooms that both open from the hallway"
+    (r"\b(?P<rooms>{several} (?:bath|bed) ?rooms),? (?:that|which) (?:both |all )?(?:open|go|lead) "
+     r"(?:from|off|onto|to) the (?P<hall>{hall})",
+     r"\g<rooms> off the \g<hall>"),
     # "dead centre of the floorplan", "doors of both bathrooms must be in the hallway"
     (r"\b(?:dead|right in the|exact) (?:centre|center|middle) of (?:the )?(?:floor ?plan|plan|map|flat|"
      r"level)\b", "in the centre"),

@@ -61,6 +61,28 @@ TERSE = [
      "orientation L1 west, orientation B1 east, orientation B2 east"),
     ("We are three students sharing a place. We each want a bedroom of 12 m², one bathroom is fine.", "B3 H K L W",
      "B1=12, B2=12, B3=12"),
+    ("four bedrooms and three bathrooms, exactly one of which is ensuite", "B4 H K L W3", "B1W1, H1W2, H1W3"),
+    ("a bedroom with minimum 15 m2 and a bathroom with maximum 6 m2. Also a kitchen and a living room.", "B H K L W",
+     "H1W1, at_least B1 15, at_most W1 6"),
+    ("Our experiments take place in the kitchen, so it should measure 4 x 5 m. Otherwise: one "
+        "bedroom, one bathroom, and a "
+     "living room in which a dining table stands.", "B H K L W", "dimension K1 4 x 5, L1 has 1 dining_table"),
+    ("The only bedroom has two exits, one to the hallway and one to the balcony, and the balcony can also be reached "
+     "from the living room. One bathroom.", "B H K L W Y", "B1Y1, L1Y1, B1H1"),
+    ("For me a hallway is lost space, I do not want one. The bedroom and the bathroom go from the living room, and the "
+     "kitchen is open to it.", "B K L W", "B1L1, L1W1, K1~L1"),
+    ("args: beds=2, baths=1, no_door=(kitchen, living room), adjacent=(bedroom 1, bathroom)", "B2 H K L W",
+     "no_door K1 L1, adjacent B1 W1"),
+    ("Inputs -> bedrooms: 2, bathrooms: 1. Size ordering -> living room larger than bedroom 1; the bathroom is the "
+     "smallest room.", "B2 H K L W", "order L1 B1 larger, order W1 smallest, H1W1"),
+    ("Four bedrooms, two bathrooms that both open from the hallway, and a laundry room.", "B4 H K L "
+        "U W2", "H1U1, H1W2"),
+    ("one bedroom, a library twice as large as that bedroom, a bathroom, a kitchen, a living room", "B H K L S W", ""),
+    ("studio with a desk and a single bed in the room and a shower in the bathroom", "K L W", "L1 has 1 single_bed"),
+    ("two-bedroom flat: the kitchen is opposite the bathroom, and the two bedrooms are opposite one another",
+     "B2 H K L W", "opposite B1 B2, opposite K1 W1, !opposite K1 B1"),
+    ("Render this:\n| room | m2 |\n| living room | 28 |\n| kitchen | 11 |\n| bedroom 1 | 16 |\n| bathroom | 6 |",
+     "B H K L W", "L1=28, K1=11, B1=16, W1=6"),
 ]  # fmt: skip
 
 test_schedules = as_meant(SCHEDULES)
@@ -74,3 +96,11 @@ test_few_words = as_meant(TERSE)
 def test_ratios_with_signs(prompt: str) -> None:
     areas = {room.id: room.area or 0.0 for room in read(prompt).rooms}
     assert areas["kitchen_1"] == pytest.approx(2 * areas["bathroom_1"], rel=0.01)
+
+
+@pytest.mark.parametrize(
+    "prompt", ["hacker's studio", "a ranger's cabin, two bedrooms", "property with two bedrooms, wardrobe included"]
+)
+def test_words_that_are_no_slips(prompt: str) -> None:
+    things = {thing.category for thing in read(prompt).objects}
+    assert not things & {"stool", "oven"}
