@@ -96,6 +96,25 @@ def test_a_builder_keeps_to_its_box(builder, fault, monkeypatch):
         foreign.made(builder, Kit("desk", "mine", (0.6, 1.2, 0.75), 0), "desk/mine/1")
 
 
+def trolley(kit, top):
+    """Four posts as high as the box, and a tray lower."""
+    for x in kit.x:
+        for y in kit.y:
+            dx, dy = -0.04 if x > 0 else 0.04, -0.04 if y > 0 else 0.04
+            kit.base.box("oak", tuple(sorted((x, x + dx))), tuple(sorted((y, y + dy))), (0.0, kit.h))
+    kit.base.box("oak", kit.x, kit.y, (top - 0.02, top))
+
+
+def test_what_things_stand_on_has_its_top_at_that_of_its_box(monkeypatch):
+    """A lamp is put on a side table's box, and would stand within the box of one whose tray is lower."""
+    monkeypatch.setattr(foreign.plugins, "bringer", lambda group, module: MINE)
+    kit = lambda kind: Kit(kind, "mine", (0.5, 0.6, 0.55), 0)  # noqa: E731
+    with pytest.raises(BadInput, match="has its top 100 mm below that of its box, where things stand"):
+        foreign.made(lambda one: trolley(one, 0.45), kit("side_table"), "side_table/mine/1")
+    assert foreign.made(lambda one: trolley(one, 0.54), kit("side_table"), "side_table/mine/1")
+    assert foreign.made(lambda one: trolley(one, 0.45), kit("stool"), "stool/mine/1"), "nothing is put there"
+
+
 @pytest.mark.parametrize("builder", [box, lambda kit: drawer(kit, 0.45), lambda kit: box(kit, 0.0009)])
 def test_a_builder_that_does_makes_what_it_drew(builder):
     assert foreign.made(builder, Kit("desk", "mine", (0.6, 1.2, 0.75), 0), "desk/mine/1").id == "desk/mine/1"

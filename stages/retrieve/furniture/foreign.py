@@ -12,6 +12,7 @@ from apartgen.schemas.errors import ApartgenError, BadInput
 from apartgen.stages import registry
 from apartgen.stages.registry import contract
 from apartgen.stages.space import sweeps
+from apartgen.stages.things import categories
 from apartgen.stages.things.asset import Array, Asset
 
 if TYPE_CHECKING:
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 OWN = __name__.rpartition(".")[0]
 NEAR, OPEN = 0.001, 0.01
 """So far outside the box anything may be, m, and what opens: an edge of its thickness goes round its corner."""
+BROAD, SUNK = 0.3, 0.02
+"""Share of its floor that the top of what things stand on has at least, and how far below its box's that may be, m."""
 _SIDES = ("at the back", "on the right (−y)", "below the floor", "at the front", "on the left (+y)", "at the top")
 
 
@@ -58,9 +61,23 @@ def _faults(asset: Asset, reach: float) -> Iterator[str]:
         return
     points = np.concatenate(drawn)
     yield from _outside("draws", points.min(0), points.max(0), half, half, NEAR)
+    if asset.category in categories.carriers() and (sunk := _sunk(asset, half)) > SUNK:
+        yield (f"has its top {sunk * 1000:.0f} mm below that of its box, where things stand that are put on a "
+               f"{asset.category}; draw a board up there, or give the category less height")
     further = half + [reach, 0.0, np.inf]
     for joint in asset.joints:
         yield from _outside(f"its part {joint.name} comes, when it opens,", *sweeps.swept(joint), half, further, OPEN)
+
+
+def _sunk(asset: Asset, half: Array) -> float:
+    """How far below its box's top the highest level is at or above which faces that look up are broad enough, m."""
+    faces = np.concatenate([mesh.vertices[mesh.faces] for link in asset.links for mesh in link.visuals])
+    normals = np.cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0]) / 2
+    up = normals[:, 2] > 0.95 * np.linalg.norm(normals, axis=1)
+    depths, areas = half[2] - faces[up, :, 2].mean(1), normals[up, 2]
+    order = np.argsort(depths)
+    broad = np.cumsum(areas[order]) >= BROAD * 4 * half[0] * half[1]
+    return float(depths[order][broad.argmax()]) if broad.any() else 2 * float(half[2])
 
 
 def _outside(what: str, low: Array, high: Array, half: Array, further: Array, least: float) -> Iterator[str]:
