@@ -24,14 +24,20 @@ def without_tables(text: str) -> str:
     for k, line in enumerate(lines):
         if "|" in line and k and "|" in lines[k - 1] and re.match(_RULE, line.strip()):
             head = _cells(out.pop())
-        elif not head and "|" in line and "|" in "".join(lines[k + 1 : k + 2]) and _HEAD.fullmatch(line.strip()):
-            head = _cells(line)  # no rule below it
+        elif not head and _heads(line, "".join(lines[k + 1 : k + 2])):
+            head = _cells(line)
         elif head and "|" in line:
             out.append(_row(head, _cells(line)))
         else:
             head = []
             out.append(line)
     return "\n".join(out)
+
+
+def _heads(line: str, below: str) -> bool:
+    """Whether a row names what stands below it, without a rule between them."""
+    rows = "|" in line and "|" in below and not re.match(_RULE, below.strip())
+    return rows and _HEAD.fullmatch(line.strip()) is not None
 
 
 def _cells(line: str) -> list[str]:
