@@ -12,6 +12,8 @@ from apartgen.stages.things.categories import TABLE, by_word, unknown
 from apartgen.stages.use import kinds
 from apartgen.stages.use.household import parents_in
 
+FOR_TWO = 9.0
+"""Floor of a main bedroom, m², in which a bed for two stands."""
 TWO_BEDS = 12.0
 """Floor of a bedroom where two single beds stand rather than a bunk bed, m²."""
 
@@ -25,18 +27,28 @@ def of_room(program: Program, room: str) -> Counter[str]:
     return wished
 
 
-def of_children(program: Program, room: str, area: float) -> dict[str, int]:
+def of_sleepers(program: Program, room: str, area: float) -> dict[str, int]:
     """Beds of a room in which children are known to sleep, one for each: single ones where two fit beside one another
     (`area`, m²), else bunk beds, of which there are none in the other bedrooms; one bed for two in the only bedroom
-    that is not theirs; nothing where a bed is asked for."""
+    that is not theirs; nothing where a bed is asked for. Where nothing is known of children it is the main
+    bedroom's."""
     known = {asked.id: asked.children for asked in program.rooms}
-    if not any(known.values()) or not kinds.BEDS.isdisjoint(of_room(program, room)):
+    if not kinds.BEDS.isdisjoint(of_room(program, room)):
         return {}
+    if not any(known.values()):
+        return {"double_bed": 1, "single_bed": 0} if area >= FOR_TWO and room == _main(program) else {}
     many = known.get(room)
     if not many:
         return {"bunk_bed": 0, **({"double_bed": 1, "single_bed": 0} if room == parents_in(program) else {})}
     bunks = many // 2 if area < TWO_BEDS or many > 2 else 0
     return {name: 0 for name in kinds.BEDS} | {"bunk_bed": bunks, "single_bed": many - 2 * bunks}
+
+
+def _main(program: Program) -> str | None:
+    """The bedroom with a bathroom of its own, the first of several; one alone is nobody's main one."""
+    if sum(room.base == "bedroom" for room in program.rooms) < 2:
+        return None
+    return next((room.private_to for room in program.rooms if room.base == "bathroom" and room.private_to), None)
 
 
 def check(plan: Plan) -> None:

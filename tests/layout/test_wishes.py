@@ -53,16 +53,33 @@ def test_children_have_a_bed_each_and_grown_ups_no_bunk_bed(many: int, area: flo
     first = asking().program.rooms[0]
     own = first.model_copy(update={"id": "bedroom_2", "type": "bedroom", "children": many})
     program = asking().program.model_copy(update={"rooms": [*asking().program.rooms, own]})
-    found = wishes.of_children(program, "bedroom_2", area)
+    found = wishes.of_sleepers(program, "bedroom_2", area)
     assert {name: n for name, n in found.items() if n} == beds and found["double_bed"] == 0
     beds_of = {room.id for room in asking().program.rooms if room.base == "bedroom"}
     assert beds_of == {h.BEDROOM}
-    assert wishes.of_children(program, h.BEDROOM, area) == {"bunk_bed": 0, "double_bed": 1, "single_bed": 0}
+    assert wishes.of_sleepers(program, h.BEDROOM, area) == {"bunk_bed": 0, "double_bed": 1, "single_bed": 0}
     third = own.model_copy(update={"id": "bedroom_3", "children": None})
     more = program.model_copy(update={"rooms": [*program.rooms, third]})
-    assert wishes.of_children(more, h.BEDROOM, area) == {"bunk_bed": 0}, "whose are the two?"
-    assert wishes.of_children(asking([("double_bed", 1)]).program, h.BEDROOM, area) == {}
-    assert wishes.of_children(asking().program, h.BEDROOM, area) == {}
+    assert wishes.of_sleepers(more, h.BEDROOM, area) == {"bunk_bed": 0}, "whose are the two?"
+    assert wishes.of_sleepers(asking([("double_bed", 1)]).program, h.BEDROOM, area) == {}
+    assert wishes.of_sleepers(asking().program, h.BEDROOM, area) == {}
+
+
+def test_the_bedroom_with_a_bathroom_of_its_own_has_a_bed_for_two() -> None:
+    first = asking().program.rooms[0]
+    second = first.model_copy(update={"id": "bedroom_2", "type": "bedroom", "area": 14.0})
+    bath = first.model_copy(update={"id": "bathroom_2", "type": "bathroom", "area": 3.0, "private_to": h.BEDROOM})
+
+    def beds(room: str, *more: object, area: float = 10.4) -> dict[str, int]:
+        program = asking().program.model_copy(update={"rooms": [*asking().program.rooms, *more]})
+        return wishes.of_sleepers(program, room, area)
+
+    for_two = {"double_bed": 1, "single_bed": 0}
+    assert beds(h.BEDROOM, second, bath) == for_two and beds("bedroom_2", second, bath) == {}
+    assert beds(h.BEDROOM, second) == {} and beds(h.BEDROOM, bath) == {}, "it is told from others"
+    assert beds(h.BEDROOM, second, bath, area=7.0) == {}
+    child = second.model_copy(update={"children": 1})
+    assert beds(h.BEDROOM, child, bath)["double_bed"] == 1 and beds("bedroom_2", child, bath)["double_bed"] == 0
 
 
 def test_unmet_wishes_are_counted() -> None:

@@ -134,7 +134,7 @@ def _sampler(plan: Plan, task: Task, i: int, arrays: Rooms, config: LayoutConfig
     own = living.unless_told(ways, {o.category for o in given} | {name for name in asked if asked[name]})
     wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}),
                       **{name: count for name, count in own.items() if name != BASKET},
-                      **({} if given else wishes.of_children(plan.program, room.id, place.area)),
+                      **({} if given else wishes.of_sleepers(plan.program, room.id, place.area)),
                       **furnishings.idle(wishes.of_room(plan.program, room.id), (o.category for o in given), room.base),
                       **asked})
     rules = rules_of(task.speaker.known, room, float(arrays.area[i]), wanted)
