@@ -44,6 +44,16 @@ def test_iou_equals_exact_clipping(seed: int) -> None:
     assert (wanted > 0.01).sum() > 10
 
 
+def test_places_that_nothing_fills_meet_nothing() -> None:
+    boxes = random_boxes(np.random.default_rng(1))
+    filled = torch.ones_like(boxes.filled)
+    filled[:, ::3] = 0
+    bare = Boxes(boxes.center, boxes.size, boxes.heading, boxes.category, filled, boxes.reach, boxes.empty)
+    met = {tuple(pair) for pair in geometry.close_pairs(boxes, boxes).tolist()}
+    left = {tuple(pair) for pair in geometry.close_pairs(bare, bare).tolist()}
+    assert left == {(r, i, j) for r, i, j in met if i % 3 and j % 3} and len(left) < len(met)
+
+
 def test_iou_gradient_equals_finite_difference() -> None:
     boxes = random_boxes(np.random.default_rng(3), n=4, rooms=1)
     pairs = geometry.close_pairs(boxes, boxes)

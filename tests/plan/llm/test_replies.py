@@ -99,3 +99,11 @@ def test_bad_replies_say_what_is_wrong(text: str, named: str) -> None:
 def test_refusals_are_the_models(text: str) -> None:
     with pytest.raises(Declined):
         programme(Answer(text))
+
+
+@pytest.mark.parametrize("length", [199, 200, 201, 400])
+def test_reasons_are_lines_of_at_most_200_signs(length: int) -> None:
+    with pytest.raises(Declined) as told:
+        programme(Answer("", refusal="x" * length))
+    said = str(told.value)
+    assert said == ("x" * length if length <= 200 else "x" * 199 + "…")
