@@ -20,8 +20,7 @@ from apartgen.stages.plan.slicing import (
     inner,
 )
 
-PLACE, CENTRE, BESIDE, NEAR_ENTRANCE, FAR_FROM_ENTRANCE, ADJACENT, APART, LENGTHS, LONG, WIDE, SERVING = range(11)
-SIZE = 11
+PLACE, CENTRE, BESIDE, NEAR_ENTRANCE, FAR_FROM_ENTRANCE, ADJACENT, APART, LENGTHS, LONG, WIDE, SERVING, SIZE = range(12)
 REACH, WALL, CARRIED = 1.5, 1.0, 1.5
 """Distance from the entrance that is near, wall that neighbours share, distance of walls with doors that is near, m."""
 ASIDE, MIDDLE = 0.15, 0.2

@@ -1,9 +1,10 @@
 """Tell2Design's human descriptions (CC BY-NC 4.0, never part of this repository) read and planned.
 
-`python tell2design.py TEXTS --read 500 --plan 120 [--images FOLDER]` takes so many of the texts with an even id, evenly
-spread over all. Of those read it prints how many were refused and S_node against the names a pattern finds in the
-text; of those planned, how many of the places asked for the plan has, and with the data set's images the macro IoU over
-room types under the best translation, without mirroring.
+`python tell2design.py TEXTS --read 500 --plan 120 [--images FOLDER [--outlines]]` takes so many of the texts with an
+even id, evenly spread over all. Of those read it prints how many were refused and S_node against the names a pattern
+finds in the text; of those planned, how many of the places asked for the plan has, and with the data set's images the
+macro IoU over room types under the best translation, without mirroring; `--outlines` gives each plan the outline of its
+image.
 """
 
 import argparse
@@ -13,8 +14,10 @@ from collections import Counter
 from pathlib import Path
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
+from scipy.ndimage import binary_opening, label
 
 from apartgen.schemas.errors import ApartgenError
 from apartgen.schemas.plan import Plan, Program
@@ -84,6 +87,23 @@ def overlap(ours: Masks, theirs: Masks, others: int) -> float:
     return float(np.max(shared / (whole - shared)))
 
 
+def outline(path: Path) -> list[tuple[float, float]]:
+    """Clear outline of an image's home without its balconies, m: what outer walls and the entrance shut in."""
+    pixels = np.array(Image.open(path).convert("RGB"))
+    grounds, _ = label((pixels == 255).all(axis=2))
+    rim = np.concatenate([grounds[0], grounds[-1], grounds[:, 0], grounds[:, -1]])
+    shut = ~np.isin(grounds, rim[rim > 0]) & (pixels >= 40).any(axis=2)
+    for colour in (OUTSIDE[2], COLOURS["balcony"]):
+        shut &= ~(pixels == colour).all(axis=2)
+    parts, many = label(binary_opening(shut, np.ones((5, 5))))
+    largest = parts == 1 + np.argmax([(parts == k + 1).sum() for k in range(many)])
+    rows = [np.flatnonzero(np.diff(np.r_[0, row, 0])).reshape(-1, 2) for row in largest.astype(int)]
+    runs = [shapely.box(a, PIXELS - y - 1, b, PIXELS - y) for y, row in enumerate(rows) for a, b in row]
+    whole = shapely.geometry.polygon.orient(shapely.Polygon(shapely.union_all(runs).simplify(1e-9).exterior))
+    corners = (np.array(whole.exterior.coords[:-1]) - 40) * METRES / PIXELS
+    return [(float(x), float(y)) for x, y in corners.round(2)]
+
+
 def spread(files: list[Path], count: int) -> list[Path]:
     """So many of them, evenly."""
     return [files[int(k)] for k in np.linspace(0, len(files) - 1, min(count, len(files)))]
@@ -96,12 +116,13 @@ def main() -> None:
     parser.add_argument("--read", type=int, default=500)
     parser.add_argument("--plan", type=int, default=120)
     parser.add_argument("--images", type=Path)
+    parser.add_argument("--outlines", action="store_true", help="give plans the outlines of their images")
     parser.add_argument("--each", action="store_true", help="name what every plan lacks")
     given = parser.parse_args()
     logging.getLogger("apartgen").setLevel(logging.CRITICAL)
     files = sorted((f for f in given.texts.glob("*.txt") if int(f.stem) % 2 == 0), key=lambda f: int(f.stem))
     _read_all(spread(files, given.read))
-    _plan_all(spread(files, given.plan), given.images, given.each)
+    _plan_all(spread(files, given.plan), given.images, given.each, given.outlines)
 
 
 def _read_all(files: list[Path]) -> None:
@@ -116,12 +137,16 @@ def _read_all(files: list[Path]) -> None:
     print(f"read {len(files)}: refused {refused} ({share:.3f}), S_node {np.nanmean(scores):.4f}", flush=True)
 
 
-def _plan_all(files: list[Path], images: Path | None, each: bool) -> None:
+def _plan_all(files: list[Path], images: Path | None, each: bool, outlines: bool) -> None:
     asked, ious, failed = Counter[str](), [], 0
     for file in files:
         try:
             rng = np.random.default_rng(int(file.stem))
-            made = plan.build(read(file.read_text()), plan.PlanConfig(processes=1), rng)
+            program = read(file.read_text())
+            if outlines and images is not None:
+                within = program.envelope.model_copy(update={"outline": outline(images / f"{file.stem}.png")})
+                program = program.model_copy(update={"envelope": within})
+            made = plan.build(program, plan.PlanConfig(processes=1), rng)
         except ApartgenError:
             failed += 1
             continue

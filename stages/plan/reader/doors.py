@@ -229,9 +229,7 @@ def ensuites(home: Household, doors: Doors) -> None:
     spare = others if serves else others[: len(others) - 1] if len(beds) > 0 else []
     if len(home.of("bedroom")) < 2 and not home.totals.get("bathroom") and not named:
         spare = others[1:] if not serves else others
-    if named:  # "three bathrooms, one of them ensuite"
-        spare = []
-    for bath, bed in zip([*named, *spare], beds, strict=False):
+    for bath, bed in zip(named or spare, beds, strict=False):  # "three bathrooms, one of them ensuite": no other is
         bath.owner = bed
         doors.links.append((bed, bath))
     for closet in home.of("closet"):

@@ -10,9 +10,6 @@ from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
-EVERY = ("living_room", "kitchen", "bathroom")
-"""Rooms of every home."""
-
 
 def full_graph(said: Said, home: Household, doors: Doors) -> bool:
     """Whether the doors said connect all rooms named and make a home of them."""
@@ -61,7 +58,7 @@ def _lone(said: Said, home: Household) -> bool:
 
 def beside_usual(said: Said, home: Household) -> bool:
     """`a studio with a balcony, nothing else`: nothing beside the rooms that every home has and that are not named."""
-    return bool(said.dwelling) and not said.described and not all(map(home.of, EVERY))
+    return bool(said.dwelling) and not said.described and not all(map(home.of, sense()["missing"]["always"]))
 
 
 def _counted_off(said: Said) -> bool:
