@@ -20,6 +20,8 @@ from apartgen.stages.space import polygons
 
 LENGTHS_OFF = 0.005
 """Tolerance of lengths, m."""
+AREAS_OFF = 0.001
+"""Tolerance of areas, as a share: corners of plans are rounded when these are turned into place."""
 DEEP = 3.0
 """Depth of open air required before a window or an entrance, m."""
 WAY = 0.58
@@ -74,7 +76,8 @@ def _sizes(plan: Plan, shapes: Shapes) -> Iterator[str]:
         least = min(norm.area, want)
         if shape.area < 0.8 * least:
             yield f"{room.id} has {shape.area:.1f} m², less than the least of {norm.area:g}"
-        if not plan.relaxed and abs(shape.area / max(want, norm.area) - 1) > (0.5 if room.base == "hallway" else 0.2):
+        off = abs(shape.area / max(want, norm.area) - 1) - AREAS_OFF
+        if not plan.relaxed and off > (0.5 if room.base == "hallway" else 0.2):
             yield f"{room.id} has {shape.area:.1f} m² instead of {want:.1f}"
         width = min(norm.width, 0.9 * np.sqrt(max(want, norm.area)))
         if shape.buffer(-width / 2 + LENGTHS_OFF, join_style="mitre").is_empty:

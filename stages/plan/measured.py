@@ -3,6 +3,7 @@
 from apartgen.stages.plan.slicing import (
     EPS,
     L_ENTRY,
+    L_JOG,
     L_LINK,
     L_WALL,
     NARROW,
@@ -62,12 +63,48 @@ def measure(p: Problem, z: Scratch, count: int) -> None:
             room[R_MAIN], room[R_WIDTH] = area, breadth
         room[R_LEAST], room[R_BROAD] = min(room[R_LEAST], breadth), max(room[R_BROAD], breadth)
         _joined(p.spec[r, S_JOINT], thick, room, z.piece, z.before, i)
+    if p.limits[L_JOG] > 0:
+        _across_jogs(p, z)
     z.terms[NARROW] = narrow
     for r in range(z.last.shape[0]):
         if z.last[r] < 0:
             room = z.room[r]
             room[:] = 0.0
             room[R_X0], room[R_Y0], room[R_LEAST], room[R_X1], room[R_Y1] = 1e9, 1e9, 1e9, -1e9, -1e9
+
+
+@inner
+def _across_jogs(p: Problem, z: Scratch) -> None:
+    # widths of rooms of several pieces, each piece as wide as it is with those beside it behind a shallow jog
+    thick, jog = p.limits[L_WALL], p.limits[L_JOG]
+    for r in range(z.last.shape[0]):
+        room, last = z.room[r], z.last[r]
+        if last < 0 or z.before[last] < 0:
+            continue
+        room[R_WIDTH], room[R_LEAST], i = 0.0, 1e9, last
+        while i >= 0:
+            wide = max(_breadth(z, last, i, 0, jog), _breadth(z, last, i, 1, jog)) - thick
+            room[R_WIDTH], room[R_LEAST] = max(room[R_WIDTH], wide), min(room[R_LEAST], wide)
+            i = z.before[i]
+
+
+@inner
+def _breadth(z: Scratch, last: int, i: int, axis: int, jog: float) -> float:
+    # of the rectangle that a piece makes with those of its room before and behind it along an axis, gross
+    q = z.piece[i]
+    lo, hi, a, b = q[axis], q[axis + 2], q[1 - axis], q[3 - axis]
+    best, grown = min(hi - lo, b - a), True
+    while grown:
+        grown, j = False, last
+        while j >= 0:
+            o = z.piece[j]
+            u, v = max(a, o[1 - axis]), min(b, o[3 - axis])
+            beside = abs(o[axis] - hi) < EPS or abs(o[axis + 2] - lo) < EPS
+            if beside and u - q[1 - axis] <= jog and q[3 - axis] - v <= jog and v - u > 0:
+                lo, hi, a, b, grown = min(lo, o[axis]), max(hi, o[axis + 2]), u, v, True
+                best = max(best, min(hi - lo, b - a))
+            j = z.before[j]
+    return float(best)
 
 
 @inner

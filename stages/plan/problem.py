@@ -33,16 +33,21 @@ CUT_OFF = 0.05
 ODD = (0.6, 2.0)
 """Share of large rooms, and of living rooms, that are made of two rectangles where nothing need be regular."""
 
-HUB, HUB_PARTS = 4, (0.2, 0.4, 0.4)
-"""Doors from which on a room of a home that is told whole is a hub, and how often one is of one to three rectangles."""
+HUB, HUB_PARTS, HUB_WITHIN = 4, (0.2, 0.4, 0.4), (0.25, 0.25, 0.25, 0.25)
+"""Doors from which on a room of a home that is told whole is a hub, and how often one is of one to three rectangles, of
+one to four within a given outline."""
 
 EATEN_IN = ("dining_room", "living_room")
 """Rooms that a kitchen lies at, the best first."""
 
 LONGEST = 0.9
 """No room is made longer than this share of its greatest aspect for the sake of its width."""
-ARM = 0.9
-"""Width that each part of a room has at least in an outline that is drawn for it, as a share of its least width."""
+ARM, ARM_FREE, ARM_WITHIN = 0.9, 1.5, 1.2
+"""Width that each part of a room has at least: in an outline that is drawn for it as a share of its least width, and in
+metres; within a given one in metres."""
+
+JOG = 0.6
+"""Depth up to which a jog of a given outline leaves a room as wide as it is beside it, m."""
 
 Pair = tuple[int, int, int]
 """Two rooms that should be near one another, and how much that counts."""
@@ -89,8 +94,9 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
 
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
-    if program.complete and room.type != "hallway" and sum(room.id in pair for pair in links(program)) >= HUB:
-        return int(rng.choice([1, 2, 3], p=HUB_PARTS))
+    if _hub(program, room):
+        odds = HUB_PARTS if program.envelope.outline is None else HUB_WITHIN
+        return 1 + int(rng.choice(len(odds), p=odds))
     if room.type != "hallway":
         asked = program.weights.get("conciseness", 1.0) * program.weights.get("convexity", 1.0)
         odd = ODD[room.type == "living_room"] * (1 - program.regularity) / max(asked, 0.5)
@@ -98,6 +104,11 @@ def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> in
     doors = sum(room.id in pair for pair in links(program))
     many = min(doors / 8, 1.0)
     return int(rng.choice([1, 2, 3], p=[1 - 0.9 * many, 0.7 * many, 0.2 * many]))
+
+
+def _hub(program: Program, room: AskedRoom) -> bool:
+    """Whether most ways lead through a room that is no hallway, since the programme has none beside what it tells."""
+    return program.complete and room.type != "hallway" and sum(room.id in pair for pair in links(program)) >= HUB
 
 
 def areas(program: Program) -> dict[str, float]:
@@ -126,11 +137,10 @@ def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Pr
     rooms, wanted = program.rooms, areas(program)
     index = {r.id: i for i, r in enumerate(rooms)}
     joined = {r for pair in program.open_links for r in pair}
-    strict = slack == Slack()
-    arm = ARM if program.envelope.outline is None else 0.0
+    strict, jog = slack == Slack(), 0.0 if program.envelope.outline is None else JOG
     spec = [
-        _spec(room, wanted[room.id], many, room.id in joined, whim.fronts.get(room.id, 0.0), slack, arm)
-        for room, many in zip(rooms, whim.parts, strict=True)
+        _spec(room, wanted[room.id], room.id in joined, whim.fronts.get(room.id, 0.0), slack, _arm(program, room))
+        for room in rooms
     ]
     return Problem(
         spec=np.array(spec),
@@ -145,12 +155,12 @@ def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Pr
             *((SERVING, *pair, *doors, SERVED * strict) for pair in whim.beside for doors in _off_one(program, *pair)),
         ]),
         weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),
-        limits=np.array([1.0, 1.0, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),
+        limits=np.array([1.0, 1.0, *(walls.inner + more for more in (0.0, LINK_WALL, LINK_WALL + 0.1)), jog]),
     )
 
 
 def _spec(
-    room: AskedRoom, area: float, parts: int, joined: bool, front: float, slack: Slack, arm: float
+    room: AskedRoom, area: float, joined: bool, front: float, slack: Slack, arm: float
 ) -> tuple[float, ...]:
     norm = STANDARDS[room.base]
     passage = room.type in ("hallway", "balcony")
@@ -158,7 +168,7 @@ def _spec(
         area,
         2.5 * slack.area if room.type == "hallway" else slack.area,
         min(norm.width, 0.95 * np.sqrt(area)),
-        min(norm.width, max(1.5, arm * norm.width)),
+        min(norm.width, arm),
         norm.aspect * slack.aspect,
         0.02 if passage else 1.0,
         4.0,
@@ -170,6 +180,13 @@ def _spec(
         room.type == "bathroom",
         max(norm.across, np.sqrt(area / (LONGEST * norm.aspect))) if norm.across else np.inf,
     )
+
+
+def _arm(program: Program, room: AskedRoom) -> float:
+    """Least width of each part of a room; a hub is a hallway, too, where its outline is given."""
+    if program.envelope.outline is None:
+        return max(ARM_FREE, ARM * STANDARDS[room.base].width)
+    return STANDARDS["hallway"].width if _hub(program, room) else ARM_WITHIN
 
 
 def _near(program: Program) -> list[Pair]:

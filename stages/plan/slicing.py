@@ -50,8 +50,8 @@ SPEC = (
 )  # fmt: skip
 S_TARGET, S_LOOSE, S_WIDTH, S_JOINT, S_ASPECT, S_FORM, S_CORNERS, S_FACE, S_CORRIDOR = range(9)
 S_FUNCTION, S_OUTER, S_PRIVATE, S_SHAFT, S_ACROSS = range(9, 14)
-LIMITS = ("least_stretch", "greatest_stretch", "inner_wall", "link_wall", "entrance_wall")
-L_SHORT, L_LONG, L_WALL, L_LINK, L_ENTRY = range(5)
+LIMITS = ("least_stretch", "greatest_stretch", "inner_wall", "link_wall", "entrance_wall", "jog")
+L_SHORT, L_LONG, L_WALL, L_LINK, L_ENTRY, L_JOG = range(6)
 R_AREA, R_X0, R_Y0, R_X1, R_Y1, R_PIECES, R_JOINTS, R_MAIN, R_WIDTH, R_LEAST, R_FACE, R_OUTER, R_GAPS, R_RIM = range(14)
 R_BROAD, R_COLUMNS = 14, 15
 LEFT, RIGHT, UPRIGHT = range(3)
@@ -68,7 +68,7 @@ class Problem(NamedTuple):
     edges: Floats  # (e, 6) axis (0: x is constant), coordinate, lo, hi, window allowed, entrance allowed
     wishes: Floats  # (v, 6) kind, room, other room, x, y, what it counts; see `wished`
     weights: Floats  # (15,) by TERMS
-    limits: Floats  # (5,) by LIMITS
+    limits: Floats  # (6,) by LIMITS
 
 
 class Tree(NamedTuple):

@@ -8,7 +8,21 @@ from apartgen.stages.plan import PlanConfig, kernel
 from apartgen.stages.plan.blocks import given
 from apartgen.stages.plan.outline import draw
 from apartgen.stages.plan.problem import WHIM, Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
-from apartgen.stages.plan.slicing import ASPECT, CONCISE, LACKING, NEAR, PATH, PRIVACY, WIDE, Floats, Problem, Tree
+from apartgen.stages.plan.slicing import (
+    ASPECT,
+    CONCISE,
+    LACKING,
+    NEAR,
+    PATH,
+    PRIVACY,
+    R_LEAST,
+    R_WIDTH,
+    WIDE,
+    Floats,
+    Problem,
+    Scratch,
+    Tree,
+)
 from apartgen.stages.plan.starts import known, start
 from apartgen.stages.plan.study import archetypes
 from apartgen.stages.plan.terms import BLIND
@@ -22,6 +36,13 @@ def energy(p: Problem, tree: Tree, steps: int = 0, seed: int = 1) -> tuple[float
     best = copy(tree)
     cost = kernel.anneal(p, copy(tree), copy(tree), best, z, np.array([seed], np.uint64), steps, 20.0, 1.0)
     return float(cost), z.terms, best
+
+
+def measured(p: Problem, tree: Tree) -> Scratch:
+    """What a tree's rooms measure."""
+    z = scratch(p, len(tree.share) - 1)
+    kernel.anneal(p, copy(tree), copy(tree), copy(tree), z, np.array([1], np.uint64), 0, 20.0, 1.0)
+    return z
 
 
 def row_of_three() -> tuple[Problem, Tree]:
@@ -82,6 +103,28 @@ def test_a_living_room_is_as_wide_as_one_watches_across_or_its_area_asks_for(are
     tree = Tree(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 1], [2, 0, 0]]), np.array([6.0, 4.0, 1.0]))
     terms = energy(p, tree)[1]  # a square of 5.9 m, and 3.9 x 5.9 m of which any width will do
     assert terms[ASPECT] == pytest.approx(5.9 - across + 5.9 / 3.9 - 1, abs=1e-4)
+
+
+@pytest.mark.parametrize(("bay", "least"), [(4.5, 3.3), (2.0, 1.9), (0.5, 0.4)])
+def test_a_room_behind_a_jog_is_as_wide_as_floor_lies_on_both_sides_of_it(bay: float, least: float) -> None:
+    # 5 x 3 m between centre lines, of whose upper wall so much stands out by .4 m: the bay is 3.4 m deep
+    rooms = [{"id": f"{kind}_1", "type": kind} for kind in ("living_room", "study")]
+    ring = [(0.05, 0.05), (11.95, 0.05), (11.95, 2.95), (bay - 0.05, 2.95), (bay - 0.05, 3.35), (0.05, 3.35)]
+    program = Program(rooms=rooms, links=[("living_room_1", "study_1")], envelope={"outline": ring})
+    p = problem(program, given(program.envelope, BARE.inner), Whim((1, 1), [], "rectangle", 1.0), BARE, Slack())
+    tree = Tree(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 1], [2, 0, 0]]), np.array([15 + 0.4 * bay, 21.0, 1.0]))
+    for turned in (False, True):
+        z = measured(*(across(p, tree) if turned else (p, tree)))
+        assert z.room[0, R_LEAST] == pytest.approx(least) and z.room[0, R_WIDTH] == pytest.approx(max(2.9, least))
+
+
+def across(p: Problem, tree: Tree) -> tuple[Problem, Tree]:
+    """The same with x and y exchanged."""
+    nodes = tree.nodes.copy()
+    nodes[len(tree.share) - 1 : -1, 2] ^= 1
+    edges = p.edges.copy()
+    edges[:, 0] = 1 - edges[:, 0]
+    return p._replace(blocks=p.blocks[:, [1, 0, 3, 2]], edges=edges), Tree(nodes, tree.share)
 
 
 def test_near_rooms_counts_metres_between_rooms_times_their_weights() -> None:

@@ -111,3 +111,13 @@ def test_links_without_a_door_are_told_in_the_order_of_the_programme() -> None:
     asked = [" and ".join(sorted(pair)) for pair in [*plan.program.links, *plan.program.open_links]]
     told = [fault.split(" are joined by 0")[0] for fault in validate(shut) if " are joined by 0" in fault]
     assert told == list(dict.fromkeys(asked)) and len(told) > 4
+
+
+@pytest.mark.parametrize(("factor", "wrong"), [(1.2005, False), (1.2025, True), (0.7995, False), (0.7975, True)])
+def test_an_area_is_off_by_more_than_a_fifth_beyond_what_rounding_changes(factor: float, wrong: bool) -> None:
+    plan = flat("two_bedroom")
+    bed = next(r for r in plan.rooms if r.type == "bedroom")
+    wanted = polygons.floor(bed).area / factor
+    rooms = [r.model_copy(update={"area": wanted}) if r.id == bed.id else r for r in plan.program.rooms]
+    asked = plan.model_copy(update={"program": plan.program.model_copy(update={"rooms": rooms}), "relaxed": []})
+    assert any(f"{bed.id} has" in fault for fault in validate(asked)) == wrong

@@ -107,10 +107,13 @@ SHAPES = {
     "T": [(3, 0), (9, 0), (9, 4), (12, 4), (12, 9), (0, 9), (0, 4), (3, 4)],
     "skewed": list(quadrilateral(1).exterior.coords)[:-1],
     "corner cut off": [(0, 0), (10, 0), (10, 5), (7, 8), (0, 8)],
+    "stepped": [(0, 0), (5, 0), (5, -0.6), (9.4, -0.6), (9.4, 3), (10.2, 3), (10.2, 7), (7.4, 7), (7.4, 7.9),
+                (3.8, 7.9), (3.8, 7.2), (0.6, 7.2), (0.6, 3.6), (0, 3.6)],
+    "one step": [(0, 0), (10, 0), (10, 7.6), (3, 7.6), (3, 8), (0, 8)],
 }
 
 
-@pytest.mark.parametrize("shape, seed", list(zip(SHAPES, range(5))))
+@pytest.mark.parametrize("shape, seed", list(zip(SHAPES, range(len(SHAPES)))))
 def test_outlines_of_many_shapes_are_filled(shape: str, seed: int) -> None:
     program = archetypes()["two_bedroom"]
     outline = Polygon(SHAPES[shape])

@@ -1,4 +1,4 @@
-"""Outlines of seven shapes, filled with flats that their areas are usual for: `python outlines.py 50`, so many a shape.
+"""Outlines of eight shapes, filled with flats that their areas are usual for: `python outlines.py 50`, so many a shape.
 
 Prints for each shape how many were filled without a fault, how many gave something up, and CPU seconds of a plan.
 """
@@ -10,7 +10,7 @@ from time import process_time
 
 import numpy as np
 from shapely import get_coordinates
-from shapely.affinity import rotate, scale
+from shapely.affinity import rotate, scale, translate
 from shapely.geometry import Polygon, box
 
 from apartgen import planning
@@ -71,9 +71,22 @@ def askew(rng: Rng) -> Polygon:
     return rotate(box(0, 0, w, h), 23, origin=(0, 0))
 
 
+def stepped(rng: Rng) -> Polygon:
+    """Four fronts of each of which a part stands out by .3 to 1.4 m, as those of blocks of flats do."""
+    w, h = rng.uniform((8, 6.5), (11.5, 9.5))
+    whole = box(0, 0, w, h)
+    for x, y in ((0, 1), (1, 0), (0, -1), (-1, 0)):
+        part, out, last = *rng.uniform((0.35, 0.3), (0.65, 1.4)), rng.integers(2)
+        wide, high = (part * w, h) if x == 0 else (w, part * h)
+        bay = box(0, 0, wide, high)
+        whole |= translate(bay, x * out + last * (w - wide), y * out + last * (h - high))
+    return whole
+
+
 SHAPES: dict[str, tuple[Callable[[Rng], Polygon], list[Side]]] = {
     "L": (ell, []), "U": (u, []), "T": (tee, []), "skewed": (skewed, []),
     "corner cut off": (cut_off, []), "6 x 15": (deep, ["east", "west"]), "turned": (askew, []),
+    "stepped": (stepped, []),
 }  # fmt: skip
 
 
