@@ -32,6 +32,7 @@ from apartgen.stages.plan.reader.rephrased import rephrased
 from apartgen.stages.plan.reader.schedules import in_places, scheduled
 from apartgen.stages.plan.reader.several_areas import of_several
 from apartgen.stages.plan.reader.shared_baths import shared_by_others
+from apartgen.stages.plan.reader.sides import at_sides
 from apartgen.stages.plan.reader.simply import simply
 from apartgen.stages.plan.reader.straightened import straightened
 from apartgen.stages.plan.reader.tersely import tersely
@@ -45,7 +46,8 @@ from apartgen.stages.plan.reader.whose import whose_rooms
 
 def in_known_words(prompt: str) -> str:
     """A prompt folded, with its clauses in such words."""
-    plain = whose_place(whose_rooms(commonly(without_false_friends(tersely(in_places(fold(scheduled(prompt))))))))
+    said = at_sides(tersely(in_places(fold(scheduled(prompt)))))
+    plain = whose_place(whose_rooms(commonly(without_false_friends(said))))
     told = every_day(at_home(everywhere(for_whom_said(simply(lived(as_typed(plain)))))))
     told = beside_entrance(in_characters(in_one_room(told)))
     told = unparted(named_again(told_apart(instead_of(shared_by_others(told)))))

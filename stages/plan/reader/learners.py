@@ -22,6 +22,17 @@ _SAID = rules((
     (r"\b(?:there is|there are|it is) not (?:an? |any )?(?=(?:balcony|hall|corridor|study|dining|toilet|pantry|"
      r"storage|tv|sofa|"
      r"table|desk|bathtub|[a-z]+room)\b)", "there is no "),
+    # "it is not needed a dining room", "two times so big as the kitchen", "a small room for to wash the clothes"
+    (r"\b(?:it )?is not (?:needed|necessary|wanted|required) (?:an? |the |any )?(?={room}\b)", "there is no "),
+    (r"\b(?P<n>two|three|four|2|3|4) times (?:so|more) (big|large|small|bigger|larger) (?:as|than|like)\b",
+     r"\g<n> times as large as"),
+    (r"\b(an? )?(?P<size>small |little |separate |extra )?(?:room|place|space) (?:for to|for|to|where (?:we|i) can) "
+     r"(?:wash|do|dry)(?:ing)? (?:and (?:dry|iron)(?:ing)? )?(?:the |our |my )?(?:clothes|laundry|washing|linen)\b",
+     r"\1\g<size>laundry room"),
+    # "the parents have bedroom with own bathroom"
+    (r"\b(?:the )?parents (?:have|has|get|need|want|should have|must have)(?: an?| the| their)?(?: own)? bed ?room "
+     r"with (?:an? |the |their )?(?:own |private |separate )?(?=(?:bath ?room|shower|ensuite|toilet)\b)",
+     "the parents' bedroom has its own "),
     # "Big room is 25 meters", "kitchen of 10 meters"
     (r"({room}) ?(is|are|has|of|about|:|,|-)? ?(about )?(\d{1,2}(?:\.\d)?) met(?:er|re)s?\b(?! ?(?:long|wide|by|x|"
      r"high|from|away|"

@@ -85,10 +85,6 @@ _ORDERED = [(late(pattern), words) for pattern, words in (
      r"(?: statt)?\b", "sind offen"),
     (r"\b(?:offen |fliessend )?ineinander ubergehen(?:d)?\b", "offen"),
     (r"\bgehen (?:offen |fliessend )?ineinander uber\b", "sind offen"),
-    # "in the middle of the north side", "at the north center": a side
-    (r"\b(?:middle|cent(?:er|re)) of (?:the )?(north|south|east|west)(?:ern)? (?:side|part|end|edge|wall|corner)\b",
-     r"\1 side"),
-    (r"\b(north|south|east|west)(?:ern)? (?:middle|cent(?:er|re))(?: (?:side|corner|part|edge))?\b", r"\1 side"),
     # "for a long-term study of robots" is no room
     (r"\bfor (?:an? |our |my |the )?(?:[\w-]+ ){0,3}stud(?:y|ies) (?:of|on|about|into) (?![^,.;]{0,20}\d)",
      "for research on "),

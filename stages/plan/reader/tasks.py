@@ -39,8 +39,8 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "my wife teaches piano, … a piano in the study": one of them
     (r"\b(teach|play|practi[cs]e?|learn|stud)(e?s|ies|y|ing)? (?:the )?piano\b(?=.*\bpiano\b)", r"\1\2 music"),
     # "Single-room environment: a kitchen of 14 m2", "one room only: a kitchen"
-    (rf"(?:\b(?:an? )?(?:single|one)[- ]room {_SCENE}|\b(?:an? )?{_SCENE} (?:of|with) (?:just |only )?(?:an?|one) "
-     rf"(?:single )?room(?= ?[:,]))(?: ?[:,-]| with| of)? (?={_A_ROOM})", "only "),
+    (rf"(?:\b(?:an? )?(?:single|one)[- ]room {_SCENE}(?: for [^:.;,]*(?=:))?|\b(?:an? )?{_SCENE} (?:of|with) "
+     rf"(?:just |only )?(?:an?|one) (?:single )?room(?= ?[:,]))(?: ?[:,-]| with| of)? (?={_A_ROOM})", "only "),
     (rf"(?:^|(?<=[.;!] ))(?:just |only )?(?:an?|one) (?:single )?room(?: only)? ?: ?(?={_A_ROOM})", "only "),
     # "we evaluate manipulation in kitchens"
     (rf"\b{_SKILL}(?: (?:tasks?|skills?|policies))? in (?:(?:real|simulated|small|large|realistic|domestic|different|"

@@ -28,7 +28,26 @@ def _windows(found: re.Match[str]) -> str:
     return "; ".join(f"{room} faces {side}" for room, side in pairs) or found.group()
 
 
+def _without(found: re.Match[str]) -> str:
+    """`exclude: [hallway, balcony]`: neither."""
+    names = [name.strip('" ') for name in found["names"].split(",")]
+    return f"{found['begin']}" + ", ".join(f"no {name}" for name in names if name) + ". "
+
+
 _SAID = rules((
+    # "exclude: [hallway, balcony]", brackets being folded
+    (r"(?P<begin>^|[.;,\n(] ?)\"?(?:excluded?|exclusions?|without|omit|forbidden)(?:[ _]rooms?)?\"? ?: ?"
+     r"\((?P<names>[^()]*)\) ?[.;,\n]? ?", _without),
+    # "three bedrooms. Main bedroom in the north"
+    (r"(?<=[.;\n] )(?P<main>(?:main|master|primary|principal|largest|biggest) bed ?room)(?= (?:in|on|at|to|facing|"
+     r"faces|north|south|east|west|near|next to|left|right)\b)", r"the \g<main>"),
+    # "two rooms for an experiment: a bedroom and a study"
+    (r"^(?:(?:just|only|i (?:only |just )?(?:want|need)) )?two rooms(?: for [^:.;]*)?: "
+     r"(?P<rooms>(?:an? )?{one} and (?:an? )?{one}\b[^.;]*)", r"\g<rooms>, nothing else"),
+    # "study apart from kitchen", "to its east"
+    (r"\b(?P<a>(?:the |a )?{one}),? (?:is |lies |set |placed |must be |should be )?apart from "
+     r"(?P<b>(?:the |a )?{one})\b", r"\g<a> away from \g<b>"),
+    (r"\b(?:to|on) its (?P<side>north|south|east|west)(?: side)?\b", r"to the \g<side> of it"),
     (r"\bwindows? ?(?:facing|sides?|orientation) ?:? ?\{(?P<pairs>[^{}]*)\}", _windows),
     # "kitchen = 2x bathroom", "living = biggest room"
     (r"\b(?P<a>{one}) ?: ?(?P<n>\d+(?:\.\d+)?) ?x (?P<b>{one})(?= ?(?:[,.;\n(]|$))", r"\g<a> is \g<n> times as "

@@ -1,0 +1,48 @@
+"""Few words, or such as learners of English write: rooms that are none, or were counted before."""
+
+from collections import Counter
+
+import pytest
+
+from apartgen.stages.plan.reader import read
+
+COUNTS = [
+    ("Flat with three bedrooms and two bathrooms. Main bedroom in the north.", "bedroom", 3),
+    ("Flat with three bedrooms. Master bedroom facing east, kitchen west.", "bedroom", 3),
+    ("Two bedrooms and a study. Largest bedroom near the bathroom.", "bedroom", 2),
+    ("House for a family with three children. Every child has its own bedroom. The parents have a bedroom with a "
+     "bathroom.", "bedroom", 4),
+    ("House for family with three childrens: every child have own bedroom, and the parents have bedroom with own "
+     "bathroom.", "bedroom", 4),
+    ("Single-room environment for a test: a kitchen of 14 m².", "bedroom", 0),
+    ("exclude: [hallway]\nrooms: [living_room, kitchen, bedroom, bathroom]", "hallway", 0),
+    ("two-bedroom flat; without: [hallway, balcony]", "balcony", 0),
+    ("two-bedroom flat; without: [hallway, balcony]", "hallway", 0),
+    ('{"bedrooms": 2, "exclude": ["dining_room"]}', "dining_room", 0),
+    ("It is not needed a dining room. One-bedroom flat.", "dining_room", 0),
+    ("One-bedroom flat, and please a small room for to wash the clothes.", "utility", 1),
+    ('{"home": {"bedroom": 2, "study": 1}, "constraints": ["study apart from kitchen"]}', "study", 1),
+]
+
+
+@pytest.mark.parametrize(("said", "kind", "count"), COUNTS)
+def test_so_many_rooms_are_meant(said: str, kind: str, count: int) -> None:
+    program = read(said)
+    assert Counter(room.type for room in program.rooms)[kind] == count and not program.unread
+
+
+def test_two_rooms_are_told_whole() -> None:
+    program = read("Two rooms for an experiment: a bedroom and a study, with one door between them.")
+    assert sorted(room.id for room in program.rooms) == ["bedroom_1", "study_1"]
+    assert [set(pair) for pair in program.links] == [{"bedroom_1", "study_1"}]
+
+
+def test_rooms_that_are_apart_are_asked_to_be() -> None:
+    program = read("Two-bedroom flat with a study. The study is apart from the kitchen.")
+    assert [(r.kind, {r.of, r.to}) for r in program.requirements] == [("apart", {"study_1", "kitchen_1"})]
+
+
+def test_two_times_so_big_is_twice_as_large() -> None:
+    program = read("Two-bedroom flat, the living room is two times so big as the kitchen.")
+    areas = {room.id: room.area or 0.0 for room in program.rooms}
+    assert areas["living_room_1"] == pytest.approx(2 * areas["kitchen_1"], rel=0.02)
