@@ -6,28 +6,29 @@ from apartgen.stages.plan.reader.pieces import reworded, rules
 
 DWELLINGS = {"house", "home", "flat", "apartment"}
 """What tells that more than the rooms named are wanted, and is kept."""
+ENDS = {"upper": "top", "lower": "bottom", "rear": "back"}
 
 
 def _side(found: re.Match[str]) -> str:
-    """A side, or a corner where two meet."""
+    """A side, or a corner where two meet; of the home where it is named."""
     side = re.sub(r"ern\b", "", found["side"].replace("-", " "))
+    noun = (found["home"] or "").rpartition(" ")[2]
+    home = f" of the {noun}" if noun in DWELLINGS else ""
     corner = re.fullmatch(r"(north|south) ?(east|west)", side)
-    home = _of(found["home"])
     if corner:
         return f"in the {corner[1]} {corner[2]} corner{home}"
+    side = ENDS.get(side, side)
+    if side in ("top", "bottom", "front", "back"):
+        return f"at the {side}{home}"
     return f"{'in' if side in ('left', 'right') else 'at'} the {side} side{home}" if home else f"on the {side} side"
-
-
-def _of(home: str | None) -> str:
-    noun = (home or "").rpartition(" ")[2]
-    return f" of the {noun}" if noun in DWELLINGS else ""
 
 
 def _corner(found: re.Match[str]) -> str:
     """`in the lower left of the image`, `to the upper right of the living room`: north is up."""
     level, hand = found["level"] in ("top", "upper"), found["hand"] == "left"
     side = f"{'north' if level else 'south'} {'west' if hand else 'east'}"
-    return f"{side} of " if found["other"] else f"in the {side} corner" + _of(found["home"])
+    noun = (found["home"] or "").rpartition(" ")[2]
+    return f"{side} of " if found["other"] else f"in the {side} corner" + f" of the {noun}" * (noun in DWELLINGS)
 
 
 _SAID = rules((
@@ -44,16 +45,16 @@ _SAID = rules((
     # "on the left hand center", "on the far left"
     (r"\b(?P<side>left|right)(?:[ -]hand)?(?: side)?,? (?:middle|cent(?:er|re))\b", r"\g<side> side"),
     (r"\b(?P<at>on|to|at|in) the (?:far|very|extreme) (?=(?:left|right|{side})\b)", r"\g<at> the "),
-    # "located east side of the house"
+    # "located east side of the house", "the kitchen goes in the north"
     (r"\b(?P<is>located|situated|placed|positioned|found|is|are) (?P<side>{side})(?:ern)?(?: (?:side|part|end))? "
      r"(?P<of>of {home})", r"\g<is> on the \g<side> side \g<of>"),
-    # "on the west of the property", "at north side of the house", "at the far left of the plan"
-    (r"\b(?:in|at|on|to|along)(?: the)?(?: far| very| extreme| exact)? (?P<side>{side}(?:ern)?"
-     r"(?:[ -]?(?:east|west)(?:ern)?)?|left|right)(?:[ -]hand)?(?: {part})?,? (?:of|in) "
-     r"(?P<home>{home})", _side),
-    (r"\b(?:in|at|on|to) (?P<side>{side})(?:ern)? (?:side|part)\b(?! (?:of|from))", r"on the \g<side> side"),
-    (r"\b(?:in|at|on|to) the rear(?: (?:side|part|end))? of (?=the (?:flat|apartment|house|home|plan|building)\b)",
-     "at the back of "),
+    (r"\bgo(?:es)? (?=(?:in|on|at|to) (?:the )?{any}\b)", "is "),
+    # "on the west of the property", "at north side of the house", "in the upper half of the plan", "in the north part"
+    (r"\b(?:in|at|on|to|along)(?: the)?(?: far| very| extreme| exact)? (?P<side>{any})(?:[ -]hand)?(?: {part})?,? "
+     r"(?:of|in) (?P<home>{home})", _side),
+    (r"\b(?:in|at|on|to) (?:the )?(?P<side>{any})(?:[ -]hand)? (?:half|third|zone|portion|section|part|end|edge|side)\b"
+     r"(?! (?:of|from|to)\b)(?P<home>)", _side),
+    (r"\b(?P<level>north|south)(?P<hand>east|west)ern corner\b", r"\g<level> \g<hand> corner"),
     # "al norte del piso", "au nord de l'appartement"
     (r"\b(?P<at>al (?:norte|sur|este|oeste|noreste|nordeste|noroeste|sureste|sudeste|suroeste|sudoeste)|"
      r"a la (?:izquierda|derecha)) (?:del|de (?:la|nuestr[oa])) "
@@ -61,7 +62,10 @@ _SAID = rules((
     (r"\b(?P<at>(?:au|cote) (?:nord|sud)(?:[ -](?:est|ouest))?|(?:a l'|cote )(?:est|ouest)|a (?:gauche|droite)) "
      r"(?:du |de (?:la |notre )|de l' ?)(?=(?:appartement|appart|logement|maison|plan|studio|immeuble)\b)",
      r"\g<at> dans "),
-), side=r"(?:north|south|east|west)", part=r"(?:side|part|end|edge|wall|section|portion|area|corner)",
+), side=r"(?:north|south|east|west)",
+   any=r"(?:(?:north|south)(?:ern)?(?:[ -]?(?:east|west)(?:ern)?)?|(?:east|west)(?:ern)?|left|right|top|upper|bottom|"
+       r"lower|front|back|rear)",
+   part=r"(?:side|part|end|edge|wall|section|portion|area|corner|half|zone)",
    home=r"(?:(?:the|this|our|my|your) )?(?:whole |entire )?(?:house|home|flat|apartment|property|(?:floor ?)?plan|"
         r"lay ?out|building|unit|map|image|picture|drawing|design|condo|residence|dwelling|structure)\b"
         r"(?! (?:north|south|east|west))")  # fmt: skip

@@ -41,6 +41,10 @@ _SAID = rules((
     # "three bedrooms. Main bedroom in the north"
     (r"(?<=[.;\n] )(?P<main>(?:main|master|primary|principal|largest|biggest) bed ?room)(?= (?:in|on|at|to|facing|"
      r"faces|north|south|east|west|near|next to|left|right)\b)", r"the \g<main>"),
+    # "the study has doorway to the kitchen", "the kitchen has an entrance from the hall", "immediately adjacent to"
+    (r"\b(?P<has>has|have|with) (?:an? )?(?:its )?(?:own |separate )?(?:doorway|entrance|entry|passage) "
+     r"(?:to|from|into|onto|towards) (?=(?:the |an? )?{one}\b)", r"\g<has> a door to "),
+    (r"\bimmediately (?=(?:adjacent|next|beside|adjoining|opposite|behind)\b)", ""),
     # "two rooms for an experiment: a bedroom and a study"
     (r"^(?:(?:just|only|i (?:only |just )?(?:want|need)) )?two rooms(?: for [^:.;]*)?: "
      r"(?P<rooms>(?:an? )?{one} and (?:an? )?{one}\b[^.;]*)", r"\g<rooms>, nothing else"),

@@ -46,3 +46,12 @@ def test_two_times_so_big_is_twice_as_large() -> None:
     program = read("Two-bedroom flat, the living room is two times so big as the kitchen.")
     areas = {room.id: room.area or 0.0 for room in program.rooms}
     assert areas["living_room_1"] == pytest.approx(2 * areas["kitchen_1"], rel=0.02)
+
+
+WAYS = ["has doorway to", "has an entrance from", "has its own entrance from", "has a passage to"]
+
+
+@pytest.mark.parametrize("said", WAYS)
+def test_a_way_in_from_a_room_is_a_door(said: str) -> None:
+    program = read(f"Two-bedroom flat with a study. The kitchen {said} the study.")
+    assert {"kitchen_1", "study_1"} in [set(pair) for pair in program.links] and not program.unread
