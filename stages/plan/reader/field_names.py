@@ -27,6 +27,7 @@ NOTES = ("notes", "note", "remarks", "remark", "features", "feature", "wishes", 
 """Fields of a room that say anything of it, piece by piece."""
 AMOUNT = {"area": "", "size": "", "total area": "", "floor area": "", "surface": "", "total": "",
           "total floor area": "",
+          "areas": "", "sizes": "", "room areas": "", "room sizes": "", "floor areas": "", "area by room": "",
           "total size": "", "footprint": "", "net area": "", "gross area": "", "width": "width",
           "length": "length", "doors": "doors", "door count": "doors", "number of doors": "doors",
           "dimensions": "dimension",

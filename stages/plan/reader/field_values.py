@@ -90,6 +90,10 @@ def pairs_of(subject: str, value: Any) -> Iterator[tuple[str, str]]:
         raise Unclear
 
 
+MOST = 10
+"""Rooms of one type that a home may have where it is told by numbers alone."""
+
+
 def as_list(value: Any) -> list[Any]:
     """One or several."""
     return value if isinstance(value, list) else [value]
@@ -160,3 +164,24 @@ def whole(value: Any) -> int | None:
 def truth(value: Any) -> bool | None:
     number = whole(value)
     return None if number is None else bool(number)
+
+
+def as_pairs(fields: Any, areas: bool) -> list[Any]:
+    """Fields as pairs, or a list of rooms; `{"living_room": 28, "kitchen": 9}`, where asked, as areas, not counts."""
+    pairs = list(fields.items()) if isinstance(fields, dict) else fields
+    if not isinstance(pairs, list) or len(pairs) > 200:
+        raise Unclear
+    told = _areas(pairs) if areas and pairs and isinstance(pairs[0], tuple) else {}
+    return [*([("areas", told)] if told else []), *(pair for pair in pairs if not told or pair[0] not in told)]
+
+
+def _areas(pairs: list[tuple[Any, Any]]) -> dict[Any, float]:
+    """Rooms with numbers, if one of these is more than any home has rooms of a type."""
+    rooms = {}
+    for key, value in pairs:
+        number = float(value) if isinstance(value, str) and re.fullmatch(NUMBER, value) else value
+        name = words(str(key))
+        if isinstance(number, int | float) and not isinstance(number, bool) and not name.endswith("s"):
+            if room(name) is not None:
+                rooms[key] = number
+    return rooms if max(rooms.values(), default=0) > MOST else {}

@@ -31,6 +31,7 @@ from apartgen.stages.plan.reader.field_values import (
     SIDE,
     Unclear,
     as_list,
+    as_pairs,
     is_furniture,
     is_measured,
     limited,
@@ -67,9 +68,7 @@ class Fields(Sentences):
 
     def fields(self, subject: Subject, fields: Any) -> None:
         """Every field of one room or of the flat."""
-        pairs = list(fields.items()) if isinstance(fields, dict) else fields
-        if not isinstance(pairs, list) or len(pairs) > 200:
-            raise Unclear
+        pairs = as_pairs(fields, areas=not subject)
         if pairs and not isinstance(pairs[0], tuple):
             return self.rooms(pairs)
         for key, value in pairs:

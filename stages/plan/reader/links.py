@@ -149,7 +149,10 @@ def _partner(
 
 
 def _also(rooms: list[AskedRoom], said: list[Link], forbidden: set[Link]) -> list[Link]:
+    """Doors that rooms have beside the one by which they are reached, where none is said but to balconies."""
     out: list[Link] = []
+    ends = {r.id for r in rooms if r.type == "balcony"}
+    said = [pair for pair in said if not ends & set(pair)]
     for kind, others in sense()["also"].items():
         for room in rooms:
             if room.type != kind or any(room.id in pair for pair in said):

@@ -45,13 +45,16 @@ _SAID = rules((
     (r"\b(?P<has>has|have|with) (?:an? )?(?:its )?(?:own |separate )?(?:doorway|entrance|entry|passage) "
      r"(?:to|from|into|onto|towards) (?=(?:the |an? )?{one}\b)", r"\g<has> a door to "),
     (r"\bimmediately (?=(?:adjacent|next|beside|adjoining|opposite|behind)\b)", ""),
+    # "unit-test scene", "layout: a bedroom and a kitchen, nothing else"
+    (r"\bunit[ -]tests?\b", "test"),
+    (r"^(?:[a-z]+ ){0,2}(?:layouts?|floor ?plans?|plans?|maps?|levels?)(?: with| of)? ?: ?"
+     r"(?=[^:]*\b(?:nothing else|nothing more|no other rooms?)\b)", ""),
     # "two rooms for an experiment: a bedroom and a study"
     (r"^(?:(?:just|only|i (?:only |just )?(?:want|need)) )?two rooms(?: for [^:.;]*)?: "
      r"(?P<rooms>(?:an? )?{one} and (?:an? )?{one}\b[^.;]*)", r"\g<rooms>, nothing else"),
-    # "study apart from kitchen", "to its east"
+    # "study apart from kitchen"
     (r"\b(?P<a>(?:the |a )?{one}),? (?:is |lies |set |placed |must be |should be )?apart from "
      r"(?P<b>(?:the |a )?{one})\b", r"\g<a> away from \g<b>"),
-    (r"\b(?:to|on) its (?P<side>north|south|east|west)(?: side)?\b", r"to the \g<side> of it"),
     (r"\bwindows? ?(?:facing|sides?|orientation) ?:? ?\{(?P<pairs>[^{}]*)\}", _windows),
     # "kitchen = 2x bathroom", "living = biggest room"
     (r"\b(?P<a>{one}) ?: ?(?P<n>\d+(?:\.\d+)?) ?x (?P<b>{one})(?= ?(?:[,.;\n(]|$))", r"\g<a> is \g<n> times as "

@@ -21,6 +21,8 @@ COUNTS = [
     ('{"bedrooms": 2, "exclude": ["dining_room"]}', "dining_room", 0),
     ("It is not needed a dining room. One-bedroom flat.", "dining_room", 0),
     ("One-bedroom flat, and please a small room for to wash the clothes.", "utility", 1),
+    ("A unit-test scene: a kitchen and a living room with a door between them, nothing else.", "bedroom", 0),
+    ("Produce layout: bedroom with ensuite bathroom and walk-in closet, nothing else.", "living_room", 0),
     ('{"home": {"bedroom": 2, "study": 1}, "constraints": ["study apart from kitchen"]}', "study", 1),
 ]
 
@@ -55,3 +57,32 @@ WAYS = ["has doorway to", "has an entrance from", "has its own entrance from", "
 def test_a_way_in_from_a_room_is_a_door(said: str) -> None:
     program = read(f"Two-bedroom flat with a study. The kitchen {said} the study.")
     assert {"kitchen_1", "study_1"} in [set(pair) for pair in program.links] and not program.unread
+
+
+AREAS = [
+    ('{"areas": {"living_room": 28, "kitchen": 12, "bedroom_1": 16, "bedroom_2": 11}, "unit": "m2"}', [28, 12, 16, 11]),
+    ('{"living_room": 28, "kitchen": 9, "bedroom_1": 16, "bedroom_2": 11}', [28, 9, 16, 11]),
+    ("living_room: 24\nkitchen: 10\nbedroom_1: 14\nbedroom_2: 12", [24, 10, 14, 12]),
+    ('{"rooms": {"living_room": 24.5, "kitchen": 9, "bedroom_1": 12, "bedroom_2": 9}}', [24.5, 9, 12, 9]),
+]
+
+
+@pytest.mark.parametrize(("said", "areas"), AREAS)
+def test_numbers_too_large_for_counts_are_areas(said: str, areas: list[float]) -> None:
+    program = read(said)
+    asked = {r.of: float(r.value or 0) for r in program.requirements if r.kind == "area"}
+    assert [asked[room] for room in ("living_room_1", "kitchen_1", "bedroom_1", "bedroom_2")] == areas
+    assert Counter(room.type for room in program.rooms)["living_room"] == 1 and not program.unread
+
+
+def test_small_numbers_are_counts() -> None:
+    program = read('{"living_room": 1, "kitchen": 1, "bedroom": 4, "bathroom": 2}')
+    counts = Counter(room.type for room in program.rooms)
+    assert (counts["living_room"], counts["bedroom"], counts["bathroom"]) == (1, 4, 2)
+    assert not [r for r in program.requirements if r.kind == "area"]
+
+
+def test_a_balcony_leaves_the_dining_room_its_doors() -> None:
+    program = read("Flat with 3 bedrooms, a dining room, and a balcony off the dining room.")
+    doors = {frozenset(pair) for pair in program.links if "dining_room_1" in pair}
+    assert doors == {frozenset(("dining_room_1", room)) for room in ("balcony_1", "kitchen_1", "living_room_1")}
