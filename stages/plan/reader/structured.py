@@ -12,6 +12,8 @@ from apartgen.stages.plan.reader.fields_told import Fields
 _FIELD = re.compile(r"\s*([A-Za-z][\w. -]{0,40}?)\s*(:(?!=)|>=|<=|==?|>|<|≥|≤)\s*(.+?)\s*,?\s*")
 _INDENTED = re.compile(r"^\w[\w ]*:\s*\n\s+[\w\"'-].*", re.MULTILINE)
 """Lines that belong to the key above them."""
+_CALL = re.compile(r"(?P<before>[\w .:=/-]{1,60}?)[(:=]\s*(?P<fields>\{.*\})\s*\)?[;.]?", re.DOTALL)
+"""`plan_home({"bedrooms": 2})`, `Tool call: plan. Args: {…}`."""
 _BOUNDS = {">=": "at least", "≥": "at least", ">": "at least", "<=": "at most", "≤": "at most", "<": "at most"}
 
 
@@ -22,6 +24,9 @@ DEEPEST = 20
 def in_sentences(prompt: str) -> str:
     """A prompt whose every field is understood as sentences, each other one as it is."""
     text = prompt.strip()
+    call = _CALL.fullmatch(text)
+    if call and (told := in_sentences(call["fields"])) != call["fields"]:
+        return f"{call['before'].strip(' (:=')}. {told}"
     try:
         fields = _parsed(text) if text[:1] in ("{", "[") else _nested(text) if _INDENTED.search(text) else _lines(text)
         if not fields:

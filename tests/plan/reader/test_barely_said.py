@@ -86,3 +86,11 @@ def test_a_balcony_leaves_the_dining_room_its_doors() -> None:
     program = read("Flat with 3 bedrooms, a dining room, and a balcony off the dining room.")
     doors = {frozenset(pair) for pair in program.links if "dining_room_1" in pair}
     assert doors == {frozenset(("dining_room_1", room)) for room in ("balcony_1", "kitchen_1", "living_room_1")}
+
+
+@pytest.mark.parametrize("before", ["plan_home(%s)", "Tool call: plan_home. Args: %s", "generate_layout: %s;"])
+def test_a_call_is_read_by_its_arguments(before: str) -> None:
+    program = read(before % '{"bedrooms": 2, "areas": {"living_room": 28, "bedroom_2": 11}}')
+    areas = {r.of: r.value for r in program.requirements if r.kind == "area"}
+    assert areas == {"living_room_1": "28", "bedroom_2": "11"}
+    assert Counter(room.type for room in program.rooms)["bedroom"] == 2
