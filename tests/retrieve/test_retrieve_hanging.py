@@ -128,3 +128,12 @@ def test_what_hangs_on_the_house_stays_and_so_does_what_finds_no_place():
     there, full = lamp(6.5, 3.36, UP), h.thing("wardrobe", 5.6, 3.6, UP, "balcony_1", size=(0.6, 3.0, 2.1))
     assert outdoors.hung([there], balcony()) == [there]
     assert outdoors.hung([full, lamp(5.6, 4.44, -UP)], balcony()) == [full, lamp(5.6, 4.44, -UP)]
+
+
+@pytest.mark.parametrize(("kind", "room"), [("window", h.LIVING), ("door", h.BEDROOM)])
+def test_a_curtain_hangs_before_a_window_of_its_room(kind, room):
+    chest, own, plan = piece("chest", 4.9, 0.26, (0.5, 1.0, 0.7)), curtain(), h.plan()
+    # right where it hangs, and lower than its own window
+    other = Opening(id="other", kind=kind, rooms=[room], segment=((5.2, 0.04), (5.8, 0.04)), sill=0.2, head=2.0)
+    beside = plan.model_copy(update={"openings": [*plan.openings, other]})
+    assert cleared(chest, own, plan=beside) == cleared(chest, own)

@@ -21,6 +21,12 @@ def test_facts_agree():
             assert TABLE[other].place == kind.place and not set(TABLE[other].uses).isdisjoint(kind.uses), (name, other)
 
 
+@pytest.mark.parametrize(("wrong", "meant"), [("sofaa", "sofa"), ("bok_shelf", "bookshelf"), ("wardrobes", "wardrobe")])
+def test_a_misspelled_category_is_told_with_the_one_that_was_meant(wrong, meant):
+    assert f"did you mean {meant!r}?" in categories.unknown(wrong)
+    assert "did you mean" not in categories.unknown("xyzzy")
+
+
 def test_nobody_stands_in_for_himself():
     assert not [name for name, kind in TABLE.items() if name in kind.instead]
     assert all(TABLE[TABLE[name].serves].serves == TABLE[name].serves for name in TABLE)

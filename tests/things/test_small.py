@@ -1,5 +1,7 @@
 """Small things of every kind: closed, of their box, within the weights of real ones, standing by themselves."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
@@ -22,6 +24,13 @@ def made(name):
 
 def test_there_are_many_kinds():
     assert len(small.TABLE) >= 60
+
+
+def test_what_is_deeper_than_wide_in_its_least_or_its_greatest_size_is_not_round():
+    mug = next(kind for kind in small.TABLE.values() if kind.round)
+    least, most = mug.min, mug.max
+    assert not replace(mug, max=(most[0] * 1.1, *most[1:])).round
+    assert not replace(mug, min=(least[0] * 0.9, *least[1:])).round
 
 
 @pytest.mark.parametrize("name", small.TABLE)
