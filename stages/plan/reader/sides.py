@@ -4,16 +4,15 @@ import re
 
 from apartgen.stages.plan.reader.pieces import reworded, rules
 
-DWELLINGS = {"house", "home", "flat", "apartment"}
-"""What tells that more than the rooms named are wanted, and is kept."""
+DWELLINGS = {"house": "home", "home": "home", "flat": "flat", "apartment": "apartment"}
+"""What tells that more than the rooms named are wanted, and is kept; not that it is a house that stands alone."""
 ENDS = {"upper": "top", "lower": "bottom", "rear": "back"}
 
 
 def _side(found: re.Match[str]) -> str:
     """A side, or a corner where two meet; of the home where it is named."""
     side = re.sub(r"ern\b", "", found["side"].replace("-", " "))
-    noun = (found["home"] or "").rpartition(" ")[2]
-    home = f" of the {noun}" if noun in DWELLINGS else ""
+    home = _of(found["home"])
     corner = re.fullmatch(r"(north|south) ?(east|west)", side)
     if corner:
         return f"in the {corner[1]} {corner[2]} corner{home}"
@@ -27,8 +26,12 @@ def _corner(found: re.Match[str]) -> str:
     """`in the lower left of the image`, `to the upper right of the living room`: north is up."""
     level, hand = found["level"] in ("top", "upper"), found["hand"] == "left"
     side = f"{'north' if level else 'south'} {'west' if hand else 'east'}"
-    noun = (found["home"] or "").rpartition(" ")[2]
-    return f"{side} of " if found["other"] else f"in the {side} corner" + f" of the {noun}" * (noun in DWELLINGS)
+    return f"{side} of " if found["other"] else f"in the {side} corner{_of(found['home'])}"
+
+
+def _of(home: str | None) -> str:
+    noun = (home or "").rpartition(" ")[2]
+    return f" of the {DWELLINGS[noun]}" if noun in DWELLINGS else ""
 
 
 _SAID = rules((
@@ -47,7 +50,7 @@ _SAID = rules((
     (r"\b(?P<at>on|to|at|in) the (?:far|very|extreme) (?=(?:left|right|{side})\b)", r"\g<at> the "),
     # "located east side of the house", "the kitchen goes in the north"
     (r"\b(?P<is>located|situated|placed|positioned|found|is|are) (?P<side>{side})(?:ern)?(?: (?:side|part|end))? "
-     r"(?P<of>of {home})", r"\g<is> on the \g<side> side \g<of>"),
+     r"of (?P<home>{home})", lambda found: f"{found['is']} {_side(found)}"),
     (r"\bgo(?:es)? (?=(?:in|on|at|to) (?:the )?{any}\b)", "is "),
     # "on the west of the property", "at north side of the house", "in the upper half of the plan", "in the north part"
     (r"\b(?:in|at|on|to|along)(?: the)?(?: far| very| extreme| exact)? (?P<side>{any})(?:[ -]hand)?(?: {part})?,? "
