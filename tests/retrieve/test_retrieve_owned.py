@@ -216,6 +216,20 @@ def test_mjcf_classes_includes_meshes_and_degrees(tmp_path):
     assert len(leaf.visuals) == 1, "what collides is not shown where something else is"
 
 
+@pytest.mark.parametrize(("bits", "collide"), [("0 0", 0), ("1 0", 1), ("0 1", 1), ("2 2", 1)])
+def test_what_touches_by_either_bit_collides(tmp_path, bits, collide):
+    from apartgen.stages.retrieve.reading import mjcf
+
+    one, other = bits.split()
+    (tmp_path / "box.xml").write_text(
+        f"""<mujoco><worldbody><body name="box"><geom type="box" size=".2 .3 .4"/>
+        <geom type="box" pos="1 0 0" size=".1 .1 .1" contype="{one}" conaffinity="{other}"/>
+        </body></worldbody></mujoco>""")
+    document = mjcf.document(tmp_path / "box.xml", tmp_path)
+    (body,) = mjcf.bodies(document, mjcf.top_bodies(document)[0])
+    assert len(body.colliders) == 1 + collide
+
+
 def test_mjcf_agrees_with_mujoco(tmp_path):
     mujoco = pytest.importorskip("mujoco")
     (tmp_path / "parts").mkdir()
