@@ -97,7 +97,7 @@ def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> in
     if _hub(program, room):
         odds = HUB_PARTS if program.envelope.outline is None else HUB_WITHIN
         return 1 + int(rng.choice(len(odds), p=odds))
-    if room.type != "hallway" and any(_hub(program, other) for other in program.rooms):
+    if room.type != "hallway" and program.envelope.outline and any(_hub(program, other) for other in program.rooms):
         return 1  # what a hub bends round
     if room.type != "hallway":
         asked = program.weights.get("conciseness", 1.0) * program.weights.get("convexity", 1.0)
