@@ -68,7 +68,7 @@ def deepest(asset, places):
     return worst
 
 
-MOVING = [name for name in (*categories.CATEGORIES, *furniture.BUILDING)
+MOVING = [name for name in (*categories.TABLE, *furniture.BUILDING)
           if name in furniture.BUILDING or categories.TABLE[name].articulated]  # fmt: skip
 
 HANDED = categories.those(lambda kind: kind.handed)

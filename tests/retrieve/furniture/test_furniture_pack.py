@@ -14,7 +14,7 @@ from apartgen.stages.things import categories
 def everything(seed):
     return [
         furniture.build(name, style, categories.TABLE[name].size, seed)
-        for name in categories.CATEGORIES
+        for name in categories.TABLE
         for style in furniture.styles(name)
     ]
 
