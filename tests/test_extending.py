@@ -277,3 +277,25 @@ def test_what_is_broken_is_left_out_of_the_rest(broken, done):
     assert ended.returncode == 0, ended.stderr
     for told in ("alone.toml.*needs like", "typo.toml.*lumen", "torn.toml", "hall.toml.*did you mean 'hallway'"):
         assert re.search(f"warning: broken-things: .*{told}", ended.stderr), ended.stderr
+
+
+THINGS = """[toy_box]
+like = "chest"
+min = [0.35, 0.6, 0.4]
+size = [0.4, 0.8, 0.45]
+max = [0.45, 1.0, 0.55]
+synonyms = ["toy chest", "crate for dolls", "double bed"]
+"""
+
+
+def test_a_category_is_meant_by_its_name_even_where_that_was_said_of_what_it_is_like(tmp_path):
+    points = '[project.entry-points."apartgen.categories"]\nthings = "toys:things.toml"\n'
+    site = install(tmp_path / "site", {"toys/things.toml": THINGS, "toys/__init__.py": "", "pyproject.toml":
+                                       f'[project]\nname = "toys"\nversion = "1.0"\n{points}'})
+    said = {"a toy box": 1, "two toy boxes": 2, "a toy chest": 1, "a crate for dolls": 1}
+    for k, (words, count) in enumerate(said.items()):
+        ended = run(f'apartgen plan "one-bedroom flat with {words} in the bedroom" -o {k}.json', site, tmp_path)
+        assert ended.returncode == 0, ended.stderr
+        asked = json.loads((tmp_path / f"{k}.json").read_text())["body"]["program"]["objects"]
+        assert [(one["category"], one["count"]) for one in asked] == [("toy_box", count)], words
+        assert "'double bed' is said of another category" in ended.stderr

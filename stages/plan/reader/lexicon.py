@@ -11,7 +11,7 @@ from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.rooms import kinds, told
 from apartgen.stages.plan.reader.tables import expand, languages
 from apartgen.stages.plan.reader.tokens import CJK, fold, tokenize
-from apartgen.stages.things.categories import by_word
+from apartgen.stages.things.categories import TABLE, by_word
 
 log = logging.getLogger("apartgen")
 Phrase = tuple[str, ...]
@@ -208,6 +208,8 @@ def read_lexicon() -> Lexicon:
             if kind not in ("also_object", "suffix"):
                 longest = _add_group(found, kind, group, longest)
     longest = _add_group(found, "furniture", _furniture(), longest)
+    for name, words in _things(found):
+        found.claim(words, "furniture", name)
     for name, word in _newcomers():
         words = phrase(word)
         if words == tuple(name.split("_")) or not _taken(found, name, words):
@@ -262,6 +264,18 @@ def _taken(found: Entries, name: str, words: Phrase) -> bool:
             log.warning("%s", told(name, f"words: {' '.join(words)!r} is said of another, {spoken}; left out"))
             return True
     return False
+
+
+def _things(found: Entries) -> Iterator[tuple[str, Phrase]]:
+    """Categories that do not always exist, by their names and what of their words was said of what they are like."""
+    for kind in (kind for kind in TABLE.values() if kind.like):
+        for words in map(phrase, (kind.name.replace("_", " "), *(word.lower() for word in kind.synonyms))):
+            spoken = {entry.value for entry in found.get(words) or () if entry.kind == "furniture"}
+            if words == tuple(kind.name.split("_")) or spoken <= set(kind.lineage):
+                yield kind.name, words
+            else:
+                other = " and ".join(sorted(spoken - {kind.name}))
+                log.warning("[%s] synonyms: %r is said of another, %s; left out", kind.name, " ".join(words), other)
 
 
 def _furniture() -> dict[str, list[str]]:
