@@ -24,7 +24,7 @@ _SAID = rules((
      r"table|desk|bathtub|[a-z]+room)\b)", "there is no "),
     # "it is not needed a dining room", "two times so big as the kitchen", "a small room for to wash the clothes"
     (r"\b(?:it )?is not (?:needed|necessary|wanted|required) (?:an? |the |any )?(?={room}\b)", "there is no "),
-    (r"\b(?P<n>two|three|four|2|3|4) times (?:so|more) (big|large|small|bigger|larger) (?:as|than|like)\b",
+    (r"\b(?P<n>two|three|four|2|3|4) times (?:so|more) (?:big|large|bigger|larger) (?:as|than|like)\b",
      r"\g<n> times as large as"),
     (r"\b(an? )?(?P<size>small |little |separate |extra )?(?:room|place|space) (?:for to|for|to|where (?:we|i) can) "
      r"(?:wash|do|dry)(?:ing)? (?:and (?:dry|iron)(?:ing)? )?(?:the |our |my )?(?:clothes|laundry|washing|linen)\b",

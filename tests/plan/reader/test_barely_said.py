@@ -94,3 +94,9 @@ def test_a_call_is_read_by_its_arguments(before: str) -> None:
     areas = {r.of: r.value for r in program.requirements if r.kind == "area"}
     assert areas == {"living_room_1": "28", "bedroom_2": "11"}
     assert Counter(room.type for room in program.rooms)["bedroom"] == 2
+
+
+def test_two_times_so_small_is_not_twice_as_large() -> None:
+    program = read("Two-bedroom flat, the kitchen is two times so small as the living room.")
+    areas = {room.id: room.area or 0.0 for room in program.rooms}
+    assert areas["kitchen_1"] < areas["living_room_1"]
