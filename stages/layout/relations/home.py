@@ -137,7 +137,7 @@ def _sampler(plan: Plan, task: Task, i: int, arrays: Rooms, config: LayoutConfig
                       **({} if given else wishes.of_sleepers(plan.program, room.id, place.area)),
                       **furnishings.idle(wishes.of_room(plan.program, room.id), (o.category for o in given), room.base),
                       **asked})
-    rules = rules_of(task.speaker.known, room, float(arrays.area[i]), wanted)
+    rules = rules_of(task.speaker.known, room, float(arrays.area[i]), wanted, living.never(plan, room))
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
     if room.id not in plan.program.counts and asked.get(HOOKS, UNKNOWN) != 0:
@@ -215,9 +215,10 @@ def _long_table(plan: Plan, room: Room) -> Counter[str]:
 class Rules:
     """What contents keep to in a room, in the indices of the weights; what is like a category counts as that."""
 
-    def __init__(self, known: weights.Vocabulary, least: tuple[frozenset[str], ...], wanted: Counter[str]) -> None:
+    def __init__(self, known: weights.Vocabulary, least: tuple[frozenset[str], ...], wanted: Counter[str],
+                 never: frozenset[str]) -> None:
         n = len(known.categories)
-        here = np.array([name in CATEGORIES for name in known.categories])
+        here = np.array([name in CATEGORIES and name not in never for name in known.categories])
         index = {name: k for k, name in enumerate(known.categories)}
         groups = tuple(tuple(index[name] for name in sorted(group) if name in index) for group in least)
         self.drawn = contents.Rules(known.rank, here, tuple(group for group in groups if group))
@@ -228,9 +229,10 @@ class Rules:
         self.likes: list[str] = [name for name, count in wanted.items() if name not in index for _ in range(count)]
 
 
-def rules_of(known: weights.Vocabulary, room: Room, area: float, wanted: Counter[str]) -> Rules:
-    """The rules of a room of a plan, of so much floor."""
-    return Rules(known, _least(room, area), wanted)
+def rules_of(known: weights.Vocabulary, room: Room, area: float, wanted: Counter[str],
+             never: frozenset[str] = frozenset()) -> Rules:
+    """The rules of a room of a plan, of so much floor, in which `never` are only if they are wanted."""
+    return Rules(known, _least(room, area), wanted, never)
 
 
 def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room: Room,

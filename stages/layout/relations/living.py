@@ -9,6 +9,7 @@ from typing import NamedTuple
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages.use import lacks_of, site
 from apartgen.stages.use.household import linen_in
+from apartgen.stages.use.kinds import BEDS
 from apartgen.stages.use.site import Site
 
 BASKET, KEPT = "laundry_basket", 0.25
@@ -53,6 +54,13 @@ def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, 
         return []
     return [way.counts for way, chance in zip(WAYS, chances, strict=True)
             if chance < way.share and place.area >= way.floor and (place.sleepers or 0) >= way.people]
+
+
+def never(plan: Plan, room: Room) -> frozenset[str]:
+    """What is not in a living room whose people sleep in bedrooms, unless it is asked for; the model may draw it on
+    floors unlike those that it learned."""
+    elsewhere = room.base == "living_room" and any(other.base == "bedroom" for other in plan.rooms)
+    return BEDS | {"nightstand"} if elsewhere else frozenset()
 
 
 def forgone(place: Site, ways: Sequence[Mapping[str, int]]) -> float:

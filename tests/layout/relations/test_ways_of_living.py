@@ -11,10 +11,12 @@ from apartgen.stages import layout, seeds, use
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.relations import home as relations_home
 from apartgen.stages.layout.relations import living, propose
+from apartgen.stages.layout.relations.infer import Contents
 from apartgen.stages.layout.rooms import of_plan
 from apartgen.stages.plan import build, from_polygons
 from apartgen.stages.plan.config import PlanConfig
 from apartgen.stages.plan.study import archetypes
+from apartgen.stages.things.categories import CATEGORIES
 
 ONE = LayoutConfig(model="relations", candidates=2, threads=1)
 CORNER = {"corner_sofa": 1, "sofa": 0}
@@ -152,6 +154,30 @@ def test_a_room_with_a_sofa_of_its_own_gets_none_round_a_corner() -> None:
         task = relations_home._task(plan, i, arrays, ONE, given)
         _, names = relations_home._sampler(plan, task, i, arrays, ONE, 4, rng, given, [CORNER])
         assert [("corner_sofa" in some) for some in names] == [there] * 4
+
+
+def test_nobody_sleeps_in_a_living_room_beside_bedrooms_unless_a_bed_is_asked_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Whatever the model says: here, that a bed for two comes as soon as one may."""
+    beds = {"double_bed", "single_bed", "bunk_bed"}
+    said = Contents.following
+
+    def sleepy(model: Contents, x: Any, left: Any) -> Any:
+        logits = said(model, x, left).copy()
+        logits[:, CATEGORIES.index("double_bed")] += 30
+        return logits
+
+    monkeypatch.setattr(Contents, "following", sleepy)
+    flat, studio = home(3), build(archetypes()["studio"], PlanConfig(), np.random.default_rng(3))
+    lived = next(room.id for room in flat.rooms if room.base == "living_room")
+    wished = flat.program.model_copy(update={"objects": [AskedObjects(room=lived, category="single_bed", count=1)]})
+    for plan, slept_in in ((flat, set()), (studio, {"double_bed"}),
+                           (flat.model_copy(update={"program": wished}), {"single_bed"})):
+        room = next(room for room in plan.rooms if room.base == "living_room")
+        found = {o.category for o in made(plan, config=ONE.model_copy(update={"room": [room.id]})).objects
+                 if o.room == room.id}
+        assert found & beds == slept_in
 
 
 def test_coat_racks_are_as_deep_as_wide(monkeypatch: pytest.MonkeyPatch) -> None:
