@@ -14,6 +14,8 @@ from apartgen.stages.use.site import Site
 
 BASKET, KEPT = "laundry_basket", 0.25
 """What is in one home of four where linen is kept, and then in no bedroom."""
+SCREEN, WATCHED, FLOOR = {"tv_stand": 1, "tv": 1}, 0.25, 11.0
+"""What is in one of four main bedrooms of so much floor, m²: people have it before one of five of their double beds."""
 
 
 class Way(NamedTuple):
@@ -26,7 +28,7 @@ class Way(NamedTuple):
 
 
 WAYS = (
-    Way(0.12, 0.0, {"tv_stand": 0, "tv": 0}),
+    Way(0.2, 0.0, {"tv_stand": 0, "tv": 0}),
     Way(0.3, 20.0, {"corner_sofa": 1, "sofa": 0}),
     Way(0.2, 0.0, {"armchair": 0}),
     Way(0.25, 20.0, {"armchair": 2}),
@@ -37,20 +39,24 @@ WAYS = (
     Way(0.4, 0.0, {"plant": 0}),
     Way(0.6, 28.0, {"armchair": 2, "floor_lamp": 1}, people=4),
 )
-"""No television in one of eight (of people's in one of five and more; one in twelve finds no place for it), a corner
-sofa in as many as people have, no armchair in some; two armchairs and no floor lamp in as many as in 46 and 72 rooms of
-iTHOR, Robot@VirtualHome and TDW, no side table in as many as of iTHOR's, two in fewer than its 11 of 25, an ottoman in
-somewhat more. How many do without a plant they do not tell, nor what fills a wide room in which many people live with
-one sofa: two armchairs, and a lamp to read by. The later of two that are at odds holds."""
+"""No television in one of five (of people's in one of five and more; few find no place for it), a corner sofa in as
+many as people have, no armchair in some; two armchairs and no floor lamp in as many as in 46 and 72 rooms of iTHOR,
+Robot@VirtualHome and TDW, no side table in as many as of iTHOR's, two in fewer than its 11 of 25, an ottoman in somewhat
+more. How many do without a plant they do not tell, nor what fills a wide room in which many people live with one sofa:
+two armchairs, and a lamp to read by. The later of two that are at odds holds."""
 
 
 def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, int]]:
     """Those of a room, by a chance from 0 to 1 of each: of a living room, where nobody sleeps there, of the room in
-    which linen is kept, and of bedrooms beside it."""
+    which linen is kept and bedrooms beside it, of the main bedroom."""
     place, linen = site(plan, room.id), linen_in(plan)
-    if linen and (linen == room.id or room.base == "bedroom"):
-        return [{BASKET: int(linen == room.id and chances[0] < KEPT)}]
-    if room.base != "living_room" or place.sleeps:
+    if room.base != "living_room":
+        near = linen and (linen == room.id or room.base == "bedroom")
+        kept = [{BASKET: int(linen == room.id and chances[0] < KEPT)}] if near else []
+        children = any(asked.children for asked in plan.program.rooms if asked.id == room.id)
+        watched = place.main and not children and place.area >= FLOOR and chances[1] < WATCHED
+        return [*kept, SCREEN] if watched else kept
+    if place.sleeps:
         return []
     return [way.counts for way, chance in zip(WAYS, chances, strict=True)
             if chance < way.share and place.area >= way.floor and (place.sleepers or 0) >= way.people]
