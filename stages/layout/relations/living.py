@@ -41,9 +41,9 @@ WAYS = (
 )
 """No television in one of five (of people's in one of five and more; few find no place for it), a corner sofa in as
 many as people have, no armchair in some; two armchairs and no floor lamp in as many as in 46 and 72 rooms of iTHOR,
-Robot@VirtualHome and TDW, no side table in as many as of iTHOR's, two in fewer than its 11 of 25, an ottoman in somewhat
-more. How many do without a plant they do not tell, nor what fills a wide room in which many people live with one sofa:
-two armchairs, and a lamp to read by. The later of two that are at odds holds."""
+Robot@VirtualHome and TDW, no side table in as many as of iTHOR's, two in fewer than its 11 of 25, an ottoman in
+somewhat more. How many do without a plant they do not tell, nor what fills a wide room in which many people live with
+one sofa: two armchairs, and a lamp to read by. The later of two that are at odds holds."""
 
 
 def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, int]]:
