@@ -8,6 +8,7 @@ import numpy as np
 from apartgen.stages.layout.relations.company import AT, Seen
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
 CHAIR, TWO = "chair", 2
@@ -83,7 +84,7 @@ def _images(table: Array, box: Array) -> Array:
 def askew(there: Furniture, name: str, box: Array, rng: np.random.Generator) -> Array:
     """Most armchairs (7,) turned to their group, what is then behind as near to the wall as the back was, a second as
     the first is; all else, and what would be in the way, as it is."""
-    if kinds.basic(name) != "armchair":
+    if kinds.basic(name) != "armchair" or not TABLE[name].stands.askew:
         return box
     pair = there.boxes[[kinds.basic(o) == "armchair" for o in there.names]][:1] if there.names else there.boxes
     among = abs(np.sin(2 * (pair[0, 2] - box[2]))) > np.sin(2 * LEAST) if len(pair) else rng.random() < TURNED

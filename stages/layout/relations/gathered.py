@@ -13,6 +13,8 @@ from apartgen.stages.use import kinds
 SEAT, LOW = "armchair", "coffee_table"
 GAPS, AHEAD, TURNS = (0.32, 0.5, 0.75), (0.0, 0.25, 0.5, 0.8), (0.0, 0.35, 0.7)
 """From the end of the low table, before its middle, m, and how far turned to the sofa from across it, rad."""
+LONG = 1.2
+"""Wider, for two, it stands square, m."""
 VIEW = 0.42
 """Of a sofa's width to either side of its middle one sees the screen past an armchair."""
 REACH, USUAL = 0.36, (0.6, 0.9)
@@ -41,7 +43,7 @@ def _at_ends(sofa: Array, table: tuple[float, float, float, float], size: Size) 
     """Places at both ends of a table (x, y, half depth, half width), all in the sofa's frame."""
     x, y, _, wide = table
     out = []
-    for turn in TURNS:
+    for turn in TURNS if size[1] < LONG else TURNS[:1]:
         half = (size[0] * np.cos(turn) + size[1] * np.sin(turn)) / 2
         for gap in GAPS:
             for side in (1.0, -1.0):

@@ -25,6 +25,7 @@ from apartgen.stages.layout.relations.sampler import Room as Task
 from apartgen.stages.layout.relations.sampler import Sampler
 from apartgen.stages.layout.relations.standing import Furniture
 from apartgen.stages.layout.relations.tokens import Array, shell
+from apartgen.stages.layout.relations.told import Rules, as_asked
 from apartgen.stages.layout.rooms import UNKNOWN, Rooms
 from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, stand_in
@@ -119,7 +120,9 @@ class Furnished(NamedTuple):
 
 def _best(plan: Plan, room: Room, made: Sequence[Particle], origin: Array, style: int, given: list[Box]) -> Furnished:
     """The sample of least energy, the first of equals."""
-    some = [(_boxes(room, p, origin, style, given), p.notes) for p in made]
+    second = living.called(wishes.of_room(plan.program, room.id))
+    some = [(_boxes(room, p, origin, style, given, second), [living.in_words(note, second) for note in p.notes])
+            for p in made]
     rows = [Furnished(found, notes, choice.cost(plan, room.id, found)
                       + UNMET * len(wishes.unmet(plan.program, room.id, found))) for found, notes in some]
     return min(rows, key=lambda row: row.cost)
@@ -131,13 +134,14 @@ def _sampler(plan: Plan, task: Task, i: int, arrays: Rooms, config: LayoutConfig
     room = plan.rooms[i]
     place = site(plan, room.id)
     asked = wanted_of(arrays, i, plan, room)
-    own = living.unless_told(ways, {o.category for o in given} | {name for name in asked if asked[name]})
-    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}),
-                      **{name: count for name, count in own.items() if name != BASKET},
-                      **({} if given else wishes.of_sleepers(plan.program, room.id, place.area)),
-                      **furnishings.idle(wishes.of_room(plan.program, room.id), (o.category for o in given), room.base),
-                      **asked})
-    rules = rules_of(task.speaker.known, room, float(arrays.area[i]), wanted, living.never(plan, room))
+    told = {o.category for o in given} | {name for name in asked if asked[name]}
+    own = living.unless_told(ways, told | ({"armchair"} if asked["sofa"] > 1 else set()))
+    wanted = living.settled({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}),
+                             **{name: count for name, count in own.items() if name != BASKET},
+                             **({} if given else wishes.of_sleepers(plan.program, room.id, place.area)),
+                             **furnishings.idle(wishes.of_room(plan.program, room.id), (o.category for o in given),
+                                                room.base), **asked}, (o.category for o in given))
+    rules = Rules(task.speaker.known, _least(room, float(arrays.area[i])), wanted, living.never(plan, room))
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
     if room.id not in plan.program.counts and asked.get(HOOKS, UNKNOWN) != 0:
@@ -159,7 +163,8 @@ def _task(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, given: list[B
     type_ = known.type(room.base)
     speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
                       large=sizes.least(room.base, float(arrays.area[i]), due, told or 0))
-    asked, least = wanted_of(arrays, i, plan, room), _least(room, float(arrays.area[i]))
+    asked = living.settled(wanted_of(arrays, i, plan, room), (o.category for o in given))
+    least = _least(room, float(arrays.area[i]))
     if (table := table_of(plan)) and table[0] == room.id:  # whichever of them finds a place
         least, asked = (*least, TABLES), Counter({name: n for name, n in asked.items() if name not in TABLES})
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
@@ -212,49 +217,27 @@ def _long_table(plan: Plan, room: Room) -> Counter[str]:
     return Counter({"round_table": 0}) if many else Counter()
 
 
-class Rules:
-    """What contents keep to in a room, in the indices of the weights; what is like a category counts as that."""
-
-    def __init__(self, known: weights.Vocabulary, least: tuple[frozenset[str], ...], wanted: Counter[str],
-                 never: frozenset[str]) -> None:
-        n = len(known.categories)
-        here = np.array([name in CATEGORIES and name not in never for name in known.categories])
-        index = {name: k for k, name in enumerate(known.categories)}
-        groups = tuple(tuple(index[name] for name in sorted(group) if name in index) for group in least)
-        self.drawn = contents.Rules(known.rank, here, tuple(group for group in groups if group))
-        self.wanted = np.full(n, UNKNOWN)
-        for name, count in wanted.items():
-            if name in index:
-                self.wanted[index[name]] = count
-        self.likes: list[str] = [name for name, count in wanted.items() if name not in index for _ in range(count)]
-
-
-def rules_of(known: weights.Vocabulary, room: Room, area: float, wanted: Counter[str],
-             never: frozenset[str] = frozenset()) -> Rules:
-    """The rules of a room of a plan, of so much floor, in which `never` are only if they are wanted."""
-    return Rules(known, _least(room, area), wanted, never)
-
-
 def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room: Room,
               rngs: list[Generator]) -> list[list[str]]:
     """Names of what samples of a room are to hold beyond what is given."""
     known = task.speaker.known
-    there = np.zeros(len(known.categories), np.int64)
+    there, asked = np.zeros((2, len(known.categories)), np.int64)
     for name, _ in task.given:
         there[known.category(name)] += 1
-    wanted = np.where(rules.wanted >= 0, np.maximum(rules.wanted - there, 0), UNKNOWN)
+        asked[known.category(name)] += name in known.categories
+    wanted = np.where(rules.wanted >= 0, np.maximum(rules.wanted - asked, 0), UNKNOWN)
     likes = list((Counter(rules.likes) - Counter(name for name, _ in task.given)).elements())
-    for name in likes:
-        there[known.category(name)] += 1
+    for name in likes:  # drawn as what it is like, in its turn
+        wanted[known.category(name)] = max(wanted[known.category(name)], 0) + 1
     count = plan.program.counts.get(room.id, UNKNOWN)
     if count != UNKNOWN:
-        count = max(0, count - len(task.given) - len(likes))
+        count = max(0, count - len(task.given))
     told = sleepers(plan)
     facts = contents.facts(task.speaker.shell.boxes, task.speaker.shell.kind, float(arrays.area[i]),
                            -1 if told is None else told, duties(plan, room))
     model, type_ = task.speaker.model.contents, task.speaker.type
     drawn = contents.draw(model, type_, facts, count, wanted, rules.drawn, rngs, there)
-    return [likes + [known.categories[c] for c in one] for one in drawn]
+    return [as_asked([known.categories[c] for c in one], likes) for one in drawn]
 
 
 def _lacking(place: Site, task: Task, names: list[str]) -> float:
@@ -262,10 +245,12 @@ def _lacking(place: Site, task: Task, names: list[str]) -> float:
     return sum(lack.cost for lack in lacks_of(place, [*names, *(name for name, _ in task.given)]))
 
 
-def _boxes(room: Room, p: Particle, origin: Array, style: int, given: list[Box]) -> list[Box]:
-    """A finished room's objects in the world, those given as they were."""
+def _boxes(room: Room, p: Particle, origin: Array, style: int, given: list[Box],
+           called: Mapping[str, str]) -> list[Box]:
+    """A finished room's objects in the world, those given as they were, others as they are `called`."""
     out, taken, seen = list(given), {o.id for o in given}, Counter[str]()
-    for name, box in list(zip(p.furniture.names, p.furniture.boxes.astype(float), strict=True))[len(given):]:
+    for spoken, box in list(zip(p.furniture.names, p.furniture.boxes.astype(float), strict=True))[len(given):]:
+        name = called.get(spoken, spoken)
         seen[name] += 1
         while (id_ := f"{room.id}_{name}_{seen[name]}") in taken:
             seen[name] += 1

@@ -3,7 +3,9 @@
 Of several contents those are furnished that lack least, so that without this nearly all would have what most have.
 """
 
-from collections.abc import Mapping, Sequence
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from apartgen.schemas.plan import Plan, Room
@@ -16,6 +18,7 @@ BASKET, KEPT = "laundry_basket", 0.25
 """What is in one home of four where linen is kept, and then in no bedroom."""
 SCREEN, WATCHED, FLOOR = {"tv_stand": 1, "tv": 1}, 0.25, 11.0
 """What is in one of four main bedrooms of so much floor, m²: people have it before one of five of their double beds."""
+SECOND = "loveseat"
 
 
 class Way(NamedTuple):
@@ -30,7 +33,7 @@ class Way(NamedTuple):
 WAYS = (
     Way(0.2, 0.0, {"tv_stand": 0, "tv": 0}),
     Way(0.3, 20.0, {"corner_sofa": 1, "sofa": 0}),
-    Way(0.2, 0.0, {"armchair": 0}),
+    Way(0.12, 0.0, {"armchair": 0}),
     Way(0.25, 20.0, {"armchair": 2}),
     Way(0.35, 0.0, {"floor_lamp": 0}),
     Way(0.25, 0.0, {"side_table": 0}),
@@ -38,6 +41,7 @@ WAYS = (
     Way(0.15, 0.0, {"pouffe": 1}),
     Way(0.4, 0.0, {"plant": 0}),
     Way(0.6, 28.0, {"armchair": 2, "floor_lamp": 1}, people=4),
+    Way(0.13, 22.0, {"sofa": 2, "corner_sofa": 0, "armchair": 0}),
 )
 """No television in one of five (of people's in one of five and more; few find no place for it), a corner sofa in as
 many as people have, no armchair in some; two armchairs and no floor lamp in as many as in 46 and 72 rooms of iTHOR,
@@ -67,6 +71,27 @@ def never(plan: Plan, room: Room) -> frozenset[str]:
     floors unlike those that it learned."""
     elsewhere = room.base == "living_room" and any(other.base == "bedroom" for other in plan.rooms)
     return BEDS | {"nightstand"} if elsewhere else frozenset()
+
+
+def settled(wanted: Mapping[str, int], given: Iterable[str]) -> Counter[str]:
+    """Contents of which every sofa beside another is a small one that completes its group, where armchairs would
+    stand; there are as many of those as are asked for."""
+    many, there = wanted.get("sofa", 0), Counter(given)
+    round_ = wanted.get("corner_sofa", 0) + there["corner_sofa"] > 0
+    more = many - max(there["sofa"], 0 if round_ else 1)
+    if more < 1:
+        return Counter(wanted)
+    return Counter({"armchair": 0, **wanted, "sofa": many - more, SECOND: wanted.get(SECOND, 0) + more})
+
+
+def called(asked: Mapping[str, int]) -> dict[str, str]:
+    """What people call a sofa beside another who did not ask for it by its name."""
+    return {} if asked.get(SECOND) else {SECOND: "sofa"}
+
+
+def in_words(note: str, called: Mapping[str, str]) -> str:
+    """What is said about things, as these are `called`."""
+    return re.sub(r"\w+", lambda word: called.get(word[0], word[0]), note)
 
 
 def forgone(place: Site, ways: Sequence[Mapping[str, int]]) -> float:

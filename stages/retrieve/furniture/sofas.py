@@ -1,4 +1,4 @@
-"""Sofas, corner sofas, armchairs and pouffes: soft bodies on real legs."""
+"""Sofas, loveseats, corner sofas, armchairs and pouffes: soft bodies on real legs."""
 
 from dataclasses import dataclass, replace
 
@@ -111,6 +111,7 @@ def _tufts(kit: Kit, cover: str, x: float, y: Span, z: Span) -> None:
 
 
 @design("sofa", *_SEATS)
+@design("loveseat", *_SEATS)
 @design("armchair", *_SEATS, *_ARMCHAIR_MORE)
 def sofa(kit: Kit) -> None:
     """Arms, a back as high as the box, seat cushions a person wide."""

@@ -79,10 +79,11 @@ def _sofas(room: Furnished, screens: list[int]) -> Iterator[Fault]:
     for i in sofas:
         if screens:
             off = min(float(room.aside[i, s]) for s in screens)
-            if off > HALF_FACING:
-                yield Fault("sofa not facing the television" if i == main else "second sofa turned from the television",
-                            room.ids(i, *screens))
-            elif off > FACING:
+            if off > HALF_FACING and i == main:
+                yield Fault("sofa not facing the television", room.ids(i, *screens))
+            elif off > HALF_FACING and not _in_company(room, i, screens):
+                yield Fault("second sofa turned from the television", room.ids(i, *screens))
+            elif FACING < off <= HALF_FACING:
                 yield Fault("sofa aside of the television", room.ids(i, *screens))
         elif len(sofas) + room.count["armchair"] + room.count["coffee_table"] > 1 and not _in_company(room, i, screens):
             yield Fault("sofa looks at nothing", room.ids(i))
