@@ -57,16 +57,20 @@ def draw(network: Contents, type: int, room: NDArray[np.float32], count: int, wa
     """Categories of a room's contents in functional order, beyond `given` (C,) counts of what is there already; one
     list for every generator.
 
-    count of objects still to come, or -1; wanted (C,) of them by category, or -1.
+    count of objects still to come, or -1; wanted (C,) of them by category, or -1. What is given comes in its turn, as
+    in all that the network learned from, of which it would else think that nothing before it is to come.
     """
     n, there = len(rngs), np.zeros(len(wanted), np.int64) if given is None else given
-    so_far, asked, left, last = np.tile(there, (n, 1)), np.tile(wanted, (n, 1)), np.full(n, count), np.full(n, -1)
+    due = np.where(wanted >= 0, wanted + there, np.where(there > 0, there, UNKNOWN))
+    more = (wanted < 0) & (there > 0)
+    so_far, asked = np.zeros((n, len(due)), np.int64), np.tile(due, (n, 1))
+    left, last = np.full(n, count if count < 0 else count + there.sum()), np.full(n, -1)
     found: list[list[int]] = [[] for _ in rngs]
     groups = np.full((len(rules.least), max(map(len, rules.least), default=0)), -1)
     for group, names in zip(groups, rules.least, strict=True):
         group[: len(names)] = names
     x, going = network.begun(type, room, reached(so_far, 1), reached(asked, 0)), np.arange(n)
-    for _ in range(N_MAX - int(there.sum())):
+    for _ in range(N_MAX):
         logits = network.following(x[going], np.where(left < 0, N_MAX + 1, np.minimum(left, N_MAX))[going])
         may = filling.allowed(so_far[going], asked[going], left[going], last[going], rules.rank, rules.known, groups,
                               N_MAX)
@@ -84,4 +88,18 @@ def draw(network: Contents, type: int, room: NDArray[np.float32], count: int, wa
         last[going] = rules.rank[chosen]
         left[going] -= left[going] > 0
         asked[going, chosen] -= asked[going, chosen] > 0
-    return found
+        open_ = more[chosen] & (asked[going, chosen] == 0)
+        network.no_longer_wanted(x, going[open_], chosen[open_], UP_TO)
+        asked[going[open_], chosen[open_]] = UNKNOWN
+    return [_beyond(there, one) for one in found]
+
+
+def _beyond(given: Ints, found: list[int]) -> list[int]:
+    """What is found without the first of a category that are given."""
+    left, out = given.copy(), []
+    for c in found:
+        if left[c]:
+            left[c] -= 1
+        else:
+            out.append(c)
+    return out

@@ -241,6 +241,10 @@ class Contents:
         x[rows[reached]] += self.so_far.weight[(category * up_to + so_far)[reached]]
         x[rows[asked]] -= self.wanted.weight[(category * (up_to + 1) + wanted)[asked]]
 
+    def no_longer_wanted(self, x: Floats, rows: Ints, category: Ints, up_to: int) -> None:
+        """The same where so many of a category as were wanted have come and more may."""
+        x[rows] -= self.wanted.weight[category * (up_to + 1)]
+
     def following(self, x: Floats, left: Ints) -> Floats:
         """Logits (n, C + 1) of what comes next by what is known (n, W), and the rows `left` (n,) of objects to come."""
         x = x + self.left[left]
