@@ -266,7 +266,7 @@ NEXT_BEST = {
 def test_thors_words_are_read_as_the_categories_they_are_written_for():
     for name, row in categories.TABLE.items():
         kind = _thor.type_of(name)
-        if kind is None:
+        if kind is None or row.like:  # what is like another may share its word
             continue
         room = next((r for r in row.rooms if r in procthor.ROOMS.values()), "living_room")
         assert procthor.category(kind, room, row.size) == NEXT_BEST.get(name, name)
