@@ -1,4 +1,4 @@
-"""A television straight across from its sofa: places of either, and what others cost."""
+"""A television straight across from its sofa, or from the bed where there is none: places, and what others cost."""
 
 from collections.abc import Sequence
 
@@ -24,21 +24,21 @@ ACROSS = -0.9
 
 def places(name: str, boxes: Array, names: Sequence[str], there: Array, space: Space) -> Array:
     """Places (m, 7) for what a television stands on at the wall across, in the likeliest size of candidates (n, 7)."""
-    sofas = _sofas(names, there) if kinds.basic(name) == SCREEN else boxes[:0]
-    if not len(sofas):
+    seats = _watching(names, there) if kinds.basic(name) == SCREEN else boxes[:0]
+    if not len(seats):
         return boxes[:0]
     deep, wide, high = likeliest(boxes)
-    far = sofas[:, 3] / 2 + ahead(upright(sofas), space) - OFF - deep / 2
-    return np.concatenate([about(sofa, [(float(x), aside, TURN) for aside in ASIDES], (deep, wide, high))
-                           for sofa, x in zip(sofas, far, strict=True)])
+    far = seats[:, 3] / 2 + ahead(upright(seats), space) - OFF - deep / 2
+    return np.concatenate([about(seat, [(float(x), aside, TURN) for aside in ASIDES], (deep, wide, high))
+                           for seat, x in zip(seats, far, strict=True)])
 
 
 def price(there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array:
-    """Of candidates (n, 7) for it, or for the sofa before it is put there: what they are beside the sofa's axis, (n,).
-    """
+    """Of candidates (n, 7) for it, or for the sofa before it is put there: what they are beside the axis of who
+    watches, (n,)."""
     aside = np.zeros(len(boxes))
-    if kinds.basic(name) == SCREEN and len(sofas := _sofas(there.names, there.boxes)):
-        aside = np.abs(Seen(boxes, sofas[:1]).to[:, 0, 1])
+    if kinds.basic(name) == SCREEN and len(seats := _watching(there.names, there.boxes)):
+        aside = np.abs(Seen(boxes, seats[:1]).to[:, 0, 1])
     elif kinds.basic(name) in kinds.SOFAS and SCREEN in map(kinds.basic, left) and len(shown := _shown(there)):
         seen = Seen(boxes, shown)
         facing = np.cos(boxes[:, None, 2] - shown[None, :, 2]) < ACROSS
@@ -54,5 +54,7 @@ def _shown(there: Furniture) -> Array:
     return np.asarray(found[cost < GLARE])
 
 
-def _sofas(names: Sequence[str], there: Array) -> Array:
-    return there[[kinds.basic(o) in kinds.SOFAS for o in names]] if len(names) else there
+def _watching(names: Sequence[str], there: Array) -> Array:
+    """Sofas, or beds where there is none, (m, 7)."""
+    some = (there[[kinds.basic(o) in seats for o in names]] for seats in (kinds.SOFAS, kinds.BEDS) if names)
+    return next((found for found in some if len(found)), there[:0])

@@ -169,8 +169,10 @@ def _before_seat(seen: Seen, hosts: Sequence[str]) -> Flags:
 
 
 def _watched(seen: Seen, hosts: Sequence[str]) -> Flags:
-    """A screen is seen from every sofa, and by nobody from aside or afar."""
-    return np.asarray(((seen.back().off < WATCHES) & (seen.off < SHOWN) & (seen.gap < FAR)).all(1))
+    """A screen is seen from every sofa, or from a bed where there is none, and by nobody from aside or afar."""
+    good = (seen.back().off < WATCHES) & (seen.off < SHOWN) & (seen.gap < FAR)
+    sofas = np.array([o in kinds.SOFAS for o in hosts])
+    return np.asarray(good[:, sofas].all(1) if sofas.any() else good.any(1))
 
 
 def _seen(seen: Seen, hosts: Sequence[str]) -> Flags:
@@ -251,7 +253,7 @@ RULES = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS, _at),
     (frozenset({"nightstand"}), kinds.BEDS, _bedside),
     (frozenset({"coffee_table"}), kinds.SOFAS, _before_seat),
-    (frozenset({"tv_stand"}), kinds.SOFAS, _watched),
+    (frozenset({"tv_stand"}), kinds.SOFAS | kinds.BEDS, _watched),
     (frozenset({"tv"}), kinds.SOFAS, _seen),
     (kinds.SOFAS, frozenset({"tv_stand"}), _watches),
     (frozenset({"armchair"}), kinds.SOFAS | {"coffee_table"}, _in_group),

@@ -16,8 +16,8 @@ from apartgen.stages.use.site import Site
 
 BASKET, KEPT = "laundry_basket", 0.25
 """What is in one home of four where linen is kept, and then in no bedroom."""
-SCREEN, WATCHED, FLOOR = {"tv_stand": 1, "tv": 1}, 0.25, 11.0
-"""What is in one of four main bedrooms of so much floor, m²: people have it before one of five of their double beds."""
+SCREEN, WATCHED, FLOOR = {"tv_stand": 1, "tv": 1}, 0.33, 11.0
+"""What is in a third of main bedrooms of so much floor, m²: people have it before one of five of all double beds."""
 SECOND = "loveseat"
 
 
@@ -33,7 +33,7 @@ class Way(NamedTuple):
 WAYS = (
     Way(0.2, 0.0, {"tv_stand": 0, "tv": 0}),
     Way(0.3, 20.0, {"corner_sofa": 1, "sofa": 0}),
-    Way(0.12, 0.0, {"armchair": 0}),
+    Way(0.05, 0.0, {"armchair": 0}),
     Way(0.25, 20.0, {"armchair": 2}),
     Way(0.35, 0.0, {"floor_lamp": 0}),
     Way(0.25, 0.0, {"side_table": 0}),
@@ -51,8 +51,8 @@ one sofa: two armchairs, and a lamp to read by. The later of two that are at odd
 
 
 def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, int]]:
-    """Those of a room, by a chance from 0 to 1 of each: of a living room, where nobody sleeps there, of the room in
-    which linen is kept and bedrooms beside it, of the main bedroom."""
+    """Those of a room, by a chance from 0 to 1 of each: of a living room, but for its screen only where nobody sleeps
+    there, of the room in which linen is kept and bedrooms beside it, of the main bedroom."""
     place, linen = site(plan, room.id), linen_in(plan)
     if room.base != "living_room":
         near = linen and (linen == room.id or room.base == "bedroom")
@@ -60,9 +60,8 @@ def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, 
         children = any(asked.children for asked in plan.program.rooms if asked.id == room.id)
         watched = place.main and not children and place.area >= FLOOR and chances[1] < WATCHED
         return [*kept, SCREEN] if watched else kept
-    if place.sleeps:
-        return []
-    return [way.counts for way, chance in zip(WAYS, chances, strict=True)
+    ways = WAYS[:1] if place.sleeps else WAYS
+    return [way.counts for way, chance in zip(ways, chances, strict=False)
             if chance < way.share and place.area >= way.floor and (place.sleepers or 0) >= way.people]
 
 

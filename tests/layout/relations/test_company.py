@@ -259,3 +259,18 @@ def test_no_armchair_looks_at_the_arm_of_another(x: float, yaw: float, good: boo
     for seat, other in ((one, two), (two, one)):
         found = company.alone("armchair", np.array([seat]), ["armchair", "coffee_table"], np.array([other, low]))
         assert found.tolist() == [not good]
+
+
+@pytest.mark.parametrize(("x", "y", "yaw", "there", "seen"), [
+    (2.6, 0.0, np.pi, ["double_bed"], True), (2.6, 0.5, np.pi, ["double_bed"], True),  # 11 degrees aside
+    (2.6, 1.2, np.pi, ["double_bed"], False), (0.0, 2.6, -np.pi / 2, ["double_bed"], False),
+    (2.6, 0.0, 0.0, ["double_bed"], False), (2.6, 0.0, np.pi, ["double_bed", "sofa"], False),
+])  # fmt: skip
+def test_a_screen_is_before_a_bed_where_there_is_no_sofa(
+    x: float, y: float, yaw: float, there: list[str], seen: bool
+) -> None:
+    """Beside a bed that looks along x, and a sofa that looks away from all."""
+    screen = np.array([[x, y, yaw, 0.4, 1.2, 0.0, 0.5]], np.float32)
+    stands = {"double_bed": [0, 0, 0, 2.0, 1.8, 0, 0.5], "sofa": [0, -3, -np.pi / 2, 0.9, 2.0, 0, 0.8]}
+    hosts = np.array([stands[name] for name in there], np.float32)
+    assert company.alone("tv_stand", screen, there, hosts)[0] != seen

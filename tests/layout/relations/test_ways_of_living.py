@@ -93,7 +93,8 @@ def test_ways_of_living_are_as_many_as_they_say_and_of_rooms_one_lives_in() -> N
     others = [other for other in plan.rooms if other.base not in ("living_room", "bathroom", "bedroom", "utility")]
     assert others and not any(living.draw(plan, other, never) for other in others)
     studio: Plan = build(archetypes()["studio"], PlanConfig(), np.random.default_rng(3))
-    assert not any(living.draw(studio, other, never) for other in studio.rooms if other.base == "living_room")
+    (lived,) = (other for other in studio.rooms if other.base == "living_room")
+    assert living.draw(studio, lived, never) == [living.WAYS[0].counts], "one may do without a screen there, too"
 
 
 @pytest.mark.parametrize("beds, wide, more", [(2, 6.0, True), (1, 6.0, False), (2, 4.6, False)])
@@ -143,14 +144,14 @@ def test_a_hall_one_enters_has_hooks_beside_a_cupboard_unless_it_is_counted_or_n
             assert "counts" not in change or len(there) == 2
 
 
-def test_one_of_four_main_bedrooms_has_a_television_before_the_bed_and_no_child_has() -> None:
+def test_one_of_three_main_bedrooms_has_a_television_before_the_bed_and_no_child_has() -> None:
     plan = home(4)
     bed = next(room for room in plan.rooms if room.base == "bedroom")
     drawn = [seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(400)]
     site = use.site(plan, bed.id)
     assert site.main and site.area >= living.FLOOR
     watched = [rng for rng in drawn if living.SCREEN in living.draw(plan, bed, chances(bed, rng))]
-    assert 0.18 < len(watched) / len(drawn) < 0.32
+    assert 0.26 < len(watched) / len(drawn) < 0.40
     rooms = [room.model_copy(update={"children": 2 if room.id == bed.id else None}) for room in plan.program.rooms]
     theirs = plan.model_copy(update={"program": plan.program.model_copy(update={"rooms": rooms})})
     assert not any(living.SCREEN in living.draw(theirs, bed, chances(bed, rng)) for rng in drawn)
