@@ -13,7 +13,7 @@ from shapely.geometry import Polygon
 from apartgen.schemas.base import RoomType
 from apartgen.schemas.errors import Unmet
 from apartgen.schemas.plan import Opening, Program, Walls
-from apartgen.stages.plan import faces
+from apartgen.stages.plan import faces, leading
 from apartgen.stages.plan.blocks import entrance_sides, facing
 from apartgen.stages.plan.check import entrance_room, links, neighbours
 from apartgen.stages.plan.faces import Face
@@ -30,21 +30,11 @@ APPROACHES = ((0.7, 0.7), (0.35, 0.55), (0.12, 0.55), (0.12, 0.12))
 one before cannot be had."""
 WIDEST = 3.2
 """Widest opening between open-plan rooms, m."""
-NEARER = 0.5
-"""Cost of a metre between the entrance and what is to be near it."""
-AFAR = 1.0
-"""Cost of a metre between the entrance and the place that ways were reckoned from."""
-SERVED, CARRIED = 0.75, 3.5
-"""Cost of a metre by which a kitchen's door in a hall is farther than that from the door to where one eats, m."""
-DETOUR = 0.3
-"""Cost of a metre that the way from the entrance through a door to a room's middle is longer than the straight one."""
 BARS, PASSED = 8.0, 0.32
 """Cost of a leaf that, standing open, cuts the hallway it opens into; half the width one passes by it and its lever
 in, m."""
 LEAF = 0.05
 """Thickness of a leaf that stands open, m."""
-EATEN_IN = ({"living_room", "hallway"}, {"dining_room", "hallway"})
-"""What is joined by a door from a hall to where one eats."""
 WITHIN, AS_FAR = 0.05, 20.0
 """A wall is followed so deep in its room, m, and no farther than that."""
 
@@ -83,13 +73,16 @@ def _columns(program: Program, floors: Floors, walls: Walls, deep: Depths) -> li
             head = GLAZED_HEAD if "balcony" in (types[a], types[b]) else HEAD
             choices = _doors(a, b, found, floors, types, deep)
             if entrances and {types[a], types[b]} == {types[first], "living_room"} and first in (a, b):
-                choices = _nearest(choices, entrances[0])
+                choices = leading.nearest(choices, entrances[0])
             elif entrances:
                 behind = floors[max((a, b), key=lambda room: far.get(room, 0))]
-                choices = _on_the_way(choices, _middle(entrances[0]), behind, program)
+                choices = leading.on_the_way(choices, leading.middle(entrances[0]), behind, program)
             columns.append(Column("door", [a, b], choices, head))
-    columns = _served(columns, types, SERVED / max(program.weights.get("privacy", 1.0), 1.0))
-    columns.append(Column("entrance", [first], _about(entrances), HEAD))
+    private = program.weights.get("privacy", 1.0)
+    columns = leading.served(columns, types, leading.SERVED / max(private, 1.0))
+    if entrances:
+        columns = leading.retired(columns, types, leading.middle(entrances[0]), leading.RETIRED * private)
+    columns.append(Column("entrance", [first], leading.about(entrances), HEAD))
     for column in columns:
         if not column.choices:
             raise Unmet(f"no wall has room for the {column.kind} of {' and '.join(column.rooms)}")
@@ -155,7 +148,7 @@ def _entrances(program: Program, room: str, floors: Floors, walls: Walls, deep: 
     for face in faces.outside(floors[room], [f for r, f in floors.items() if r != room]):
         if facing(*face.along) in sides and face.length >= ENTRANCE + 2 * FRAME - 1e-6:
             out += _placed(face._replace(gap=walls.outer), ENTRANCE, room, floors[room], 0.0, True, deep)
-    return _fitting([_towards(choice, _first_seen(program, room, floors)) for choice in out], floors)
+    return _fitting([leading.towards(choice, _first_seen(program, room, floors)) for choice in out], floors)
 
 
 def _first_seen(program: Program, first: str, floors: Floors) -> shapely.Geometry | None:
@@ -168,59 +161,6 @@ def _first_seen(program: Program, first: str, floors: Floors) -> shapely.Geometr
     return shapely.union_all([floors[room] for room in wet]) if living and wet else None
 
 
-def _towards(choice: Choice, near: shapely.Geometry | None) -> Choice:
-    """An entrance costs less the nearer it is to what is to be near it, so that nobody walks past the bedrooms."""
-    if near is None:
-        return choice
-    return choice._replace(cost=choice.cost + NEARER * float(shapely.Point(_middle(choice)).distance(near)))
-
-
-def _about(entrances: list[Choice]) -> list[Choice]:
-    """Entrances cost more the farther they are from the cheapest: from there the ways through the other doors count."""
-    away = [float(np.abs(_middle(choice) - _middle(entrances[0])).sum()) for choice in entrances]
-    dearer = [choice._replace(cost=choice.cost + AFAR * d) for choice, d in zip(entrances, away, strict=True)]
-    return sorted(dearer, key=lambda c: c.cost)
-
-
-def _nearest(choices: list[Choice], entrance: Choice) -> list[Choice]:
-    """Doors to the living room cost less the nearer they are to the entrance."""
-    away = [float(np.abs(_middle(choice) - _middle(entrance)).sum()) for choice in choices]
-    dearer = [choice._replace(cost=choice.cost + NEARER * d) for choice, d in zip(choices, away, strict=True)]
-    return sorted(dearer, key=lambda c: c.cost)
-
-
-def _served(columns: list[Column], types: dict[str, RoomType], each: float) -> list[Column]:
-    """Columns in which doors of kitchens and of rooms where one eats cost more the farther they are apart in a hall, of
-    `each` metre."""
-    out = list(columns)
-    for i, cooked in enumerate(columns):
-        for j, eaten in enumerate(columns):
-            kinds = {types[room] for room in cooked.rooms}, {types[room] for room in eaten.rooms}
-            served = kinds[0] == {"kitchen", "hallway"} and kinds[1] in EATEN_IN
-            if served and set(cooked.rooms) & set(eaten.rooms) and cooked.choices and eaten.choices:
-                out[i] = _nearer(out[i], out[j].choices[0], each)
-                out[j] = _nearer(out[j], out[i].choices[0], each)
-    return out
-
-
-def _nearer(column: Column, other: Choice, each: float) -> Column:
-    """A column whose doors cost more the farther they are from another, of `each` metre."""
-    away = [max(0.0, float(np.abs(_middle(c) - _middle(other)).sum()) - CARRIED) for c in column.choices]
-    dearer = [c._replace(cost=c.cost + each * far) for c, far in zip(column.choices, away, strict=True)]
-    return column._replace(choices=sorted(dearer, key=lambda c: c.cost))
-
-
-def _on_the_way(choices: list[Choice], entrance: faces.Array, room: Polygon, program: Program) -> list[Choice]:
-    """Doors cost more the farther they lead about on the way to the room behind."""
-    counts = DETOUR * program.weights.get("shortest_path", 1.0)
-    end = np.array(room.envelope.centroid.coords[0])
-    straight = float(np.abs(end - entrance).sum())
-    at = np.array([_middle(choice) for choice in choices]).reshape(-1, 2)
-    ways = (np.abs(at - entrance).sum(axis=1) + np.abs(at - end).sum(axis=1)).tolist()
-    dearer = [c._replace(cost=c.cost + counts * (way - straight)) for c, way in zip(choices, ways, strict=True)]
-    return sorted(dearer, key=lambda c: c.cost)
-
-
 def _doors_from(program: Program, first: str) -> dict[str, int]:
     """How many doors lie between the room one enters and each room."""
     near, far, queue = neighbours(program), {first: 0}, [first]
@@ -230,11 +170,6 @@ def _doors_from(program: Program, first: str) -> dict[str, int]:
                 far[there] = far[here] + 1
                 queue.append(there)
     return far
-
-
-def _middle(choice: Choice) -> faces.Array:
-    middle: faces.Array = choice.face.start + 0.5 * (choice.lo + choice.hi) * choice.face.along
-    return middle
 
 
 def _placed(face: Face, width: float, into: str, room: Polygon, extra: float, mine: bool, deep: Depths) -> list[Choice]:
