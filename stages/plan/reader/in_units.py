@@ -78,8 +78,6 @@ _SAID = rules((
     # "14 m² for the main bedroom and 6 m² for the bathroom"
     (r"({about}{n} ?{square})\.? for (the {kind})(?={end}| and (?:about )?{n} ?{square}\.? for the (?!other))",
      r"\2 of \1"),
-    # "about 16 m² of main bedroom"
-    (r"({about}{n} ?{square})\.? of ({kind})(?={end}| and (?!{n} of))", r"\2 of \1"),
     # "85 m² of living space", "living space: 85 m²"
     (r"({about}{large}) of (?:living|floor) (?:space|area)\b", r"\1 in total"),
     (r"\b(?:living|floor) (?:space|area)(?: of|:| is)? (?=(?:[a-z]+\.? ){0,4}(?:{large}))", "total area "),
