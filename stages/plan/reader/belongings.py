@@ -44,6 +44,9 @@ def belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare:
         return False
     if after and after[0].kind == "link" and after[0].value == "between":
         return False  # "two bedrooms with a bathroom in between"
+    told = (after[0].value if after[0].value == "has" else after[0].text) if after and not phrase.count else ""
+    if not first and (phrase.quantifier, told) in ((Det.THE, "has"), (Det.BARE, "with")):
+        return False  # "the hallway has a coat rack, the bathroom has a mirror"
     if Trait.ADJOINING in phrase.labels and first:
         return True
     if kind == "hallway":

@@ -148,8 +148,9 @@ _OF = (
      r"(?:parents|guests|visitors|baby|kids|children|son|daughter)|us|"
      r"my (?:wife|husband|partner) and me)\b(?P<more> and (?:has|gets|needs) )?", _whose_most),
     # "25 square meters of living room and 10 of kitchen", "25平方米的客厅", "客厅面积25平方米"
-    (r"\b(?P<n>{amount}) ?{unit} of (?P<of>{kind})\b", r"\g<of> of \g<n> m2"),
-    (r"(?<= m2) and (?P<n>{amount}) of (?P<of>{kind})\b", r" and \g<of> of \g<n> m2"),
+    (r"(?:\b(?:about|around|roughly|approx(?:imately|\.)|ca\.|circa|some|exactly|just|only) |~)?"
+     r"\b(?P<n>{amount} ?(?:{unit}|ft2))\.? of (?P<of>{kind})\b", r"\g<of> of \g<n>"),
+    (r"(?P<unit>{unit}) and (?P<n>{amount}) of (?P<of>{kind})\b", r"\g<unit> and \g<of> of \g<n> \g<unit>"),
     (r"(?P<n>\d+(?:\.\d+)?) ?(?:平方米|平米|平方|平|m2)的?(?P<of>大?(?:客厅|厨房|餐厅|主卧室?|次卧室?|"
      r"书房|卫生间|浴室|阳台|儿童房|客房|储藏室|玄关))(?!\d)", r"\g<of>\g<n>平方米"),
     (r"(?P<of>{zh})的?面积(?:为|是|约|大约|大概|要)?(?=\d)", r"\g<of>"),

@@ -53,11 +53,15 @@ def may_be(phrase: RoomPhrase, room: Entity) -> bool:
 
 def spoken_of_before(phrase: RoomPhrase, known: list[Entity]) -> bool:
     """`Living room has a balcony`, `big bedroom has a bath`: known rooms, though no article says so."""
+    lone = len(known) == 1 and phrase.count is None
+    if lone and phrase.quantifier == Det.A and phrase.type in ("living_room", "kitchen"):
+        return bool(phrase.areas) and known[0].area is None and known[0].name == phrase.text
     if phrase.quantifier != Det.BARE or phrase.labels or phrase.plural:
         return False
-    lone = len(known) == 1 and phrase.count is None
     if lone and phrase.type in NAMED and phrase.areas and known[0].area is None:
         return known[0].name == phrase.text  # "a study and a lounge. … Lounge 24 m², study 9 m²."
+    if lone and phrase.type == "bathroom" and _told_more(phrase, known[0]):
+        return known[0].name == phrase.text  # "kitchen, bathroom and two bedrooms. … Bathroom: 5 m²."
     if lone and phrase.type in ("living_room", "kitchen", "dining_room") and phrase.areas and known[0].area is None:
         return True  # "kitchen + living: open plan, living room: 32 m²"
     if phrase.type in ("living_room", "kitchen"):
@@ -66,6 +70,12 @@ def spoken_of_before(phrase: RoomPhrase, known: list[Entity]) -> bool:
         return known[0].name == phrase.text  # "utility room has a washing machine"
     counted = len(known) > 1 and all(e.counted for e in known)
     return phrase.type == "bedroom" and counted and phrase.factor != 1.0 and bool(phrase.owned)
+
+
+def _told_more(phrase: RoomPhrase, room: Entity) -> bool:
+    """Whether a size or furniture is told where none of a room was known."""
+    sized, furnished = phrase.areas and room.area is None, phrase.objects and not room.objects
+    return bool(sized or furnished) and not room.labels
 
 
 def hall_rank(room: Entity) -> int:

@@ -11,6 +11,8 @@ from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 LARGE = 40.0
 """Area, m², that no room has of which several are alike."""
+LEAST = 4.0
+"""Area, m², that a home has for each kind of room that it has, at the least."""
 MOST = 1000.0
 """Greatest area, m², that may be the flat's where it stands with a room."""
 
@@ -57,9 +59,15 @@ def _on_top(items: list[Item], k: int) -> bool:
 
 
 def _totals(items: list[Item], k: int) -> bool:
-    """`piso de dos dormitorios`, `three bedrooms in total`."""
+    """`piso de dos dormitorios`, `three bedrooms in total`, `a flat with two bedrooms` and nothing else."""
     before, after = items[max(k - 1, 0)], items[k + 1 : k + 2]
-    return (k > 0 and before.kind == "dwelling") or any(i.kind == "area_word" and i.value == "total" for i in after)
+    alone = k > 1 and k + 1 == len(items) and [i.kind for i in items[k - 2 : k]] == ["dwelling", "with"]
+    alone = alone and not any(room.areas or room.labels or room.type != "bedroom" for room in rooms_of(items))
+    return (
+        alone
+        or (k > 0 and before.kind == "dwelling")
+        or any(i.kind == "area_word" and i.value == "total" for i in after)
+    )
 
 
 def attach_areas(items: list[Item], said: Said) -> list[Item]:
@@ -121,7 +129,10 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
 
 
 def _of_home(item: Item, said: Said) -> None:
-    """The first area that no room takes is the flat's, others are not understood."""
+    """The first area that no room takes is the flat's, others are not understood, nor sides that no home has."""
+    if item.sides and item.values[0] < max(SMALLEST, LEAST * len({room.type for room in said.rooms})):
+        said.unread.append(item.text)
+        return
     if item.sides:
         said.asked.append(Asked("dimension", [], "", f"{item.sides[0]:g} x {item.sides[1]:g}", item.text))
     said.asked += [Asked(kind, [], "", f"{limit:g}", item.text) for kind, limit in item.bounds]
@@ -151,7 +162,7 @@ def _corrected(items: list[Item], k: int) -> list[RoomPhrase]:
 
 def _coordinated(before: list[Item], last: RoomPhrase) -> list[RoomPhrase]:
     """`the kitchen and the living room` that end in `last`."""
-    at = next(j for j, i in enumerate(before) if i.room is last)
+    at = next((j for j, i in enumerate(before) if i.room is last), 0)
     out = [last]
     if len(whole := known_list(before, at)) > 1:
         return whole

@@ -24,8 +24,8 @@ _ITEM = re.compile(
 _DOTTED = re.compile(r"(?<=[a-z])\.(?=[a-z][a-z ]*\s*:)")
 _OPEN_KEY = re.compile(r"\b(kitchen|living room|dining room) open\s*:\s*(?:true|yes|1)\b")
 _TRUTH = re.compile(r"(?<=:)(\s*)(true|false)\b")
-_KEY = re.compile(r'\b((?:total )?(?:floor )?area|size|surface)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
-_UNIT_KEY = re.compile(r'\b(?:total )?(sqm|m2|sqft|ft2)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
+_KEY = re.compile(r'\b((?:total )?(?:floor )?area|size|surface)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n](?!\d)|$))')
+_UNIT_KEY = re.compile(r'\b(?:total )?(sqm|m2|sqft|ft2)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n](?!\d)|$))')
 _KEYED = re.compile(r'\b(area|size) ?\(?(m2|sqm|sq m|sqft|sq ft|ft2)\)?"?\s*:\s*(\d+(?:\.\d+)?)')
 _KEYED_ROOM = re.compile(
     r'(?:(?<=["(.,;:\n] )|(?<=["(.,;:\n])|^)(bed ?room|bath ?room|study|balcony|kitchen)s? (?:area|size)"?: '
@@ -110,7 +110,7 @@ def worded(text: str) -> str:
     text = _OBJECT.sub(_with_relations, text)
     text = re.sub(r"\(n ?: ?(\d)\)", r"(\1)", _VALUE.sub(" ", text))
     text = re.sub(r"(?<!\d)\bldk\b", "kitchen/dining room/living room", text)
-    text = _ADDED.sub(r"2 \1s (\2, \3)", text)
+    text = _ADDED.sub(lambda found: f"{'' if 'room' in found[1] else '2 '}{found[1]}s ({found[2]}, {found[3]})", text)
     text = _TRUTH.sub(lambda found: f"{found[1]}{'yes' if found[2] == 'true' else 'none'}", text)
     text = _COMBINED.sub(lambda found: "/".join(_SHORT[c] for c in found.group(1, 3, 4) if c), text)
     text = _decoded(_LETTERS.sub("+ kitchen + bathroom", text)) if coded else _LETTERS.sub("+ kitchen + bathroom", text)
@@ -118,7 +118,7 @@ def worded(text: str) -> str:
     text = _NAMED.sub(r"\1: \2 m2", text)
     text = _OPEN_PLAN.sub(lambda found: f"open plan {found[1] or 'kitchen and living room'}", text)
     text = _SIZED.sub(r"\1 \2: \3 m2", text)
-    text = _THINGS.sub(lambda found: f"{found[1]}{'no' if found[3] == '0' else found[3]} {found[2]}", text)
+    text = _THINGS.sub(_so_many, text)
     text = _TIMES.sub(r"\2 \1s", _NONE.sub("no", text))
     text = re.sub(r"\b(bed|bath)(?:room)? count:? (\d)\b", r"\2 \1s", re.sub(r"\b(sqm|m2) (\d{2,3})$", r"\2 \1", text))
     text = _COUNT.sub(r"\1s:", re.sub(r"\b(?:num|nb|nr) (?=[a-z]+s\b)", "", text))
@@ -130,6 +130,13 @@ def worded(text: str) -> str:
     text = _TOLERANCE.sub(_range, text)
     text = re.sub(r"\b1 of (?=which|them|these)", "one of ", text)
     return _TENS.sub(_numeral, text)
+
+
+def _so_many(found: re.Match[str]) -> str:
+    """`desk x2` as `2 desk`; `we want bathroom x2` counts rooms."""
+    begin, thing, number = found.groups()
+    rooms = thing.split()[-1] in ("bedroom", "bathroom", "balcony", "closet", "study")
+    return found.group() if rooms else f"{begin}{'no' if number == '0' else number} {thing}"
 
 
 def _with_relations(found: re.Match[str]) -> str:
@@ -144,7 +151,7 @@ def _with_relations(found: re.Match[str]) -> str:
 def _counted_before(found: re.Match[str]) -> str:
     """`bedroom area: 14 m2` beside `bedrooms: 1` as said of that bedroom, beside `bedrooms: 2` as said of each."""
     room, area, unit = found.groups()
-    told = re.search(rf'\b{room.rstrip("y")}(?:y|ies|s)?"?\s*:\s*"?(\d)"?(?=\s*(?:[.,;)\n]|$))', found.string)
+    told = re.search(rf'\b{room.rstrip("y")}(?:y|ies|s)?"?\s*:\s*"?(\d)"?(?=\s*(?:[.,;)\n](?!\d)|$))', found.string)
     if told is None:
         return found.group()
     return f"{'the' if told[1] == '1' else 'each'} {room}: {area} {unit}"

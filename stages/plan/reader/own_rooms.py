@@ -16,7 +16,7 @@ _WORDS = {
     "n_": r"(?:[2-6]|two|three|four|five|six|zwei|drei|vier|funf|sechs)",
     "n": r"(?P<n>[2-6]|two|three|four|five|six|zwei|drei|vier|funf|sechs|deux|trois|quatre|cinq|dos|tres|cuatro|"
          r"cinco|seis)",
-    "who": rf"(?P<who>(?:(?!{_CHILD}|{_THING}|and |or |y |et |und )[a-z-]+ ?){{1,4}}?)",
+    "who": rf"(?P<who>(?:(?!{_CHILD}|{_THING}|and |or |y |et |und |in (?=each|every))[a-z-]+ ?){{1,4}}?)",
     "some": r"(?: (?:share|live|rent|need|want|comparten|viven|vivent|partagent|wohnen|teilen)[^.,;:]{0,40})?",
     "each": (r"(?:and )?(?:each(?: one)?(?: of (?:them|us|whom))?|every(?:one|body)|cada un[oa](?: de (?:ellos|"
              r"ellas|nosotros))?"

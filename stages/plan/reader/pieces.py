@@ -46,7 +46,7 @@ BESIDE = (r"(?:next to|besides?|near(?: to)?|close to|adjacent to|adjoining|oppo
 LEAST = (r"(?:at (?:the )?least|(?:no|not) (?:less|smaller|fewer) than|min(?:imum|imal)?(?: of)?)")
 MOST = (r"(?:at (?:the )?most|(?:no|not) (?:more|larger|bigger|greater) than|max(?:imum|imal)?(?: of)?|up to)")
 UNIT = r"(?:m2|sqm|sq\.? ?m|square met(?:er|re)s?|sq\.? ?ft|sqft|square feet)"
-AMOUNT = r"\d+(?:[.,]\d+)?"
+AMOUNT = r"\d+(?:[.,]\d+)?(?![.,]?\d)"
 END = r"(?= ?(?:(?<!\d)[.,]|[.,](?!\d)|[;:!?)\n]|$))"
 """Where a clause may end; not within a number."""
 WORDS = {

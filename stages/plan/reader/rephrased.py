@@ -138,7 +138,8 @@ _ORDERED = [(late(pattern), words) for pattern, words in (
      r"(?:who )?(?:share|live in|rent) (?:the|an?|this) (?:flat|apartment|house|home)[;,.] (?:and )?"
      r"each\b(?: of them)?", r"\1 each"),
     # "two bedrooms of 12 m², actually make them 14"
-    (r"\b(m2|sqm|qm|sq m|square met(?:er|re)s?)\b(.*?\bmake (?:it|them|that|each) \d+)(?= ?(?:[.,;!]|$))", r"\1\2 m2"),
+    (r"\b(m2|sqm|qm|sq m|square met(?:er|re)s?)\b(.*?\bmake (?:it|them|that|each) \d+)(?= ?(?:[.,;!](?!\d)|$))",
+     r"\1\2 m2"),
     (r"\bactually,? (?=(?:\d+(?:[.,]\d+)? ?(?:m2|sqm|sq m)|off|next to|near|beside|facing|(?:on|to|at|in) the)\b)",
      "correction, "),
     (r"(^|[,;.] ?|\band )the rest(?: of the (?:rooms|flat|house|home))? (?=(?:is|are|lies|goes|should|must) )",
@@ -162,7 +163,8 @@ _ORDERED = [(late(pattern), words) for pattern, words in (
     (r"^(?:an? |the )?(?:[\w-]+ )?suite ?:", "a home:"),
     # "with a bedroom on either side of it", "bedrooms are three"
     (r",? with an? (bed ?room) on (?:either|each|both) sides?(?: of it)?(?= ?(?:[.,;]|$))", r", next to both \1s"),
-    (r"\b(bed ?rooms|bath ?rooms|toilets) (?:are|is|must be|should be) (two|three|four|\d)(?= ?(?:[.,;]|$))", r"\2 \1"),
+    (r"\b(bed ?rooms|bath ?rooms|toilets) (?:are|is|must be|should be) (two|three|four|\d)"
+     r"(?= ?(?:[.,;](?!\d)|$))", r"\2 \1"),
     (r"(?:\b(?:appartement|maison|logement) (?:de|a|avec) (?:une?|deux|trois|quatre|\d) )?"
      r"\b(chambres?(?: de \d+ ?m2)?(?: chacune)?) avec (?:un )?bureau\b",
      lambda found: found.group() if found.start() < found.start(1) else f"{found[1]} avec une table de travail"),

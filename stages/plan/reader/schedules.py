@@ -13,7 +13,8 @@ _AREA = (r"(?:m2|m²|sq\.? ?(?:m|ft|feet)\b\.?|sqm|qm|square (?:met(?:er|re)s|fe
 _SIZE = rf"{_NUMBER}{_LENGTH} ?(?:[x×]|by) ?{_NUMBER}{_LENGTH}|{_NUMBER} ?{_AREA}"
 _BEHIND = r"(?= ?(?:[,.;)\n]|$))"
 _ALONE = re.compile(
-    rf"(?:[,.] |[;(] ?|\n)(?:about |approx\.? |ca\.? |size |area )?(?P<size>{_SIZE})(?: overall| in all)?{_BEHIND}",
+    rf"(?:(?<!approx)(?<!\bca)(?<!\bmin)(?<!\bmax)[,.] |[;(] ?|\n)(?:about |approx\.? |ca\.? |size |area )?"
+    rf"(?P<size>{_SIZE})(?: overall| in all)?{_BEHIND}",
     re.I,
 )
 """A size that belongs to nothing in the same clause."""

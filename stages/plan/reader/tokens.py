@@ -21,7 +21,7 @@ _FRACTIONS = {"½": ".5", "¼": ".25", "¾": ".75"}
 _BOUNDS = {"(?:>=|≥)": "at least", "(?:<=|≤)": "at most"}
 _NUMBERED = re.compile(r"(?:(?<=\s)|^)(\d{1,2})[.)]\s+(?=[^\W\d])")
 _NESTED = re.compile(r'"([\w ]+)"\s*:\s*\{\s*"area(?: m2)?"\s*:\s*([\d.]+)\s*\}')
-_PAIRED = re.compile(r"(:\s?\d+(?:\.\d+)?\s?(?:sqm|m2|sqft)?)[^\S\n]+(?=[a-z ]+:\s?\d)")
+_PAIRED = re.compile(r"(:\s?\d+(?:\.\d+)?\s?(?:sqm|m2|sqft)?)[^\S\n]+(?!sq|m\b)(?=[a-z ]+:\s?\d)")
 _SQUARED = re.compile(r"(?<=\d)\s?(?:m|met(?:er|re)s?) squared?\b|(?<=\d\d)\s?met(?:er|re)s? square\b")
 _QUOTES = str.maketrans(
     {
