@@ -131,6 +131,7 @@ def test_the_lid_of_the_page_opens_within_its_box():
     made = foreign.made(chest, Kit("sideboard", "mine", (0.4, 1.2, 0.75), 0), "sideboard/mine/1")
     (joint,) = made.joints
     low, high = sweeps.swept(joint)
+    assert joint.part == "hinge_lid", "it is called a lid wherever it is spoken of"
     assert joint.range == (0.0, 1.4) and high[2] > 0.75 / 2 + 0.3 and high[1] < 0.6 - 0.003 and low[0] > -0.2 - 0.011
 
 
