@@ -184,8 +184,7 @@ TERM = {"pyproject.toml": '[project]\nname = "my-term"\nversion = "1.0"\n'
                           '[project.entry-points."apartgen.choice"]\nodd = "odd"\n'
                           '[project.entry-points."apartgen.export"]\nplain = "plain"\n',
         "odd.py": '"""Odd."""\n\n\ndef cost(room):\n    return room.site.nothing\n',
-        "plain.py": '"""How many boxes there are."""\n\nNEEDS_ASSETS = False\n\n\n'
-                    'def write(scene, out):\n    path = out / "plain.txt"\n'
+        "plain.py": '"""Boxes."""\nNEEDS_ASSETS = False\n\n\ndef write(scene, out):\n    path = out / "plain.txt"\n'
                     '    path.write_text(str(len(scene.home.objects)))\n    return [path]\n'}
 
 
