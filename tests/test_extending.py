@@ -184,7 +184,7 @@ TERM = {"pyproject.toml": '[project]\nname = "my-term"\nversion = "1.0"\n'
                           '[project.entry-points."apartgen.choice"]\nodd = "odd"\n'
                           '[project.entry-points."apartgen.export"]\nplain = "plain"\n',
         "odd.py": '"""Odd."""\n\n\ndef cost(room):\n    return room.site.nothing\n',
-        "plain.py": '"""How many boxes there are."""\n\n\ndef write(scene, out):\n    path = out / "plain.txt"\n'
+        "plain.py": '"""Boxes."""\nNEEDS_ASSETS = False\n\n\ndef write(scene, out):\n    path = out / "plain.txt"\n'
                     '    path.write_text(str(len(scene.home.objects)))\n    return [path]\n'}
 
 
@@ -259,7 +259,7 @@ def broken(tmp_path_factory):
 
 @pytest.mark.parametrize("line, told", [
     ("apartgen export gym.json --format raises -o out/", "broken.raises.*RuntimeError: out of order"),
-    ("apartgen export gym.json --format gives -o out/", "broken.gives.*gave a dict, not a list"),
+    ("apartgen export gym.json --format gives -o out/", "broken.gives.*gave a dict, not a list of Path"),
     ("apartgen export gym.json --format bad_syntax -o out/", "no export 'bad_syntax'"),
     ("apartgen metrics gym.json --metric fails -o out.json", "broken.fails.*ZeroDivisionError.*fails.py:7"),
     ("apartgen metrics gym.json --metric lacks -o out.json", "broken.lacks.*has no NEEDS"),

@@ -49,6 +49,23 @@ def test_an_unknown_name_says_which_there_are(package):
         registry.load(package, "_private")
 
 
+def test_a_fact_is_read_without_an_import(package, tmp_path):
+    """Of a member that says nothing it is what it is of most."""
+    (tmp_path / "zoo/tame.py").write_text('"""Tame."""\nBITES: bool = False\nif BITES:\n    BITES = True\n')
+    assert not registry.stated(package, "tame", "BITES", True)
+    assert registry.stated(package, "owl", "BITES", True) and registry.stated(package, "broken", "BITES", True)
+    assert not any(name.startswith("zoo.") for name in sys.modules)
+    with pytest.raises(BadInput, match="did you mean 'tame'"):
+        registry.stated(package, "tam", "BITES", True)
+
+
+@pytest.mark.parametrize("text", ["'no'", "not True", "1", "[]", "open"])
+def test_a_fact_is_written_out_and_of_its_type(package, tmp_path, text):
+    (tmp_path / "zoo/wild.py").write_text(f'"""Wild."""\nBITES = {text}\n')
+    with pytest.raises(BadInput, match=f"^zoo wild: BITES = {re.escape(text)} is no bool; write it as True or False$"):
+        registry.stated(package, "wild", "BITES", True)
+
+
 class Doubles(Protocol):
     """A contract of one function."""
 
@@ -147,7 +164,8 @@ class Many(Protocol):
 
 
 @pytest.mark.parametrize(("name", "gives", "words"), [
-    ("some", [1, 2], ""), ("some", [], ""), ("some", (1, 2), "gave a tuple, not a list"),
+    ("some", [1, 2], ""), ("some", [], ""), ("some", (1, 2), "gave a tuple, not a list of int"),
+    ("some", None, "gave nothing, not a list of int"),
     ("some", [1, "2"], "gave a list with a str, not of int"), ("each", (1, 2), ""), ("each", [], ""),
     ("each", [1, "2"], "gave a str, not a int")])
 def test_of_several_values_each_is_of_its_type(name, gives, words) -> None:

@@ -131,16 +131,17 @@ def test_the_lid_of_the_page_opens_within_its_box():
     made = foreign.made(chest, Kit("sideboard", "mine", (0.4, 1.2, 0.75), 0), "sideboard/mine/1")
     (joint,) = made.joints
     low, high = sweeps.swept(joint)
+    assert joint.part == "hinge_lid", "it is called a lid wherever it is spoken of"
     assert joint.range == (0.0, 1.4) and high[2] > 0.75 / 2 + 0.3 and high[1] < 0.6 - 0.003 and low[0] > -0.2 - 0.011
 
 
 def test_what_opens_otherwise_than_its_like_needs_a_builder(monkeypatch):
-    rows = {"record_cabinet": {"like": "sideboard", "opens": "lid"}, "low_board": {"like": "sideboard", "opens": ""}}
+    rows = {"tested_lidded": {"like": "sideboard", "opens": "lid"}, "tested_open": {"like": "sideboard", "opens": ""}}
     monkeypatch.setattr(categories, "TABLE", TABLE | read(rows, TABLE))
     style, size = furniture.styles("sideboard")[0], TABLE["sideboard"].size
-    with pytest.raises(BadInput, match="^record_cabinet: opens is 'lid' and nothing here builds one; as a sideboard"):
-        furniture.build("record_cabinet", style, size)
-    for name, parts in (("sideboard", True), ("low_board", False)):
+    with pytest.raises(BadInput, match="^tested_lidded: opens is 'lid' and nothing here builds one; as a sideboard"):
+        furniture.build("tested_lidded", style, size)
+    for name, parts in (("sideboard", True), ("tested_open", False)):
         assert any(joint.range[1] > 0 for joint in furniture.build(name, style, size).joints) == parts
 
 
@@ -188,6 +189,36 @@ def test_a_figure_is_of_a_room_or_of_all(monkeypatch):
         monkeypatch.setattr(metrics, "_member", lambda name, found=found: SimpleNamespace(measure=lambda *_: found))
         with nullcontext() if good else pytest.raises(BadInput, match="^my-home: .* a value of 'study'; of is"):
             assert metrics._measure("seats", home, None) == found
+
+
+@pytest.mark.parametrize("given, said", [
+    (Path("x"), "gave a PosixPath, not a list of Path"), (None, "gave nothing, not a list of Path"),
+    (["x"], "gave a list with a str, not of Path"), ([], "gave an empty list")])
+def test_a_format_of_a_checkout_is_named_with_what_it_is_to_give(given, said, tmp_path):
+    writer = SimpleNamespace(write=lambda scene, folder: given)
+    with pytest.raises(BadInput, match=rf"^format mine: write {said}; it is to give the paths of the files [^\n]*$"):
+        export._written("mine", writer, None, tmp_path)
+
+
+VALUE = Value(name="seats", value=1, of="apartment")
+
+
+@pytest.mark.parametrize("given, said", [
+    (VALUE, "gave a Value, not a list of Value"), (None, "gave nothing, not a list of Value"),
+    ([VALUE, 3], "gave a list with a int, not of Value"),
+    ([VALUE.model_copy(update={"of": "attic"})], "gave a value of 'attic'; of is one of apartment, study_1"),
+    ([VALUE.model_copy(update={"name": ""})], "gave a value without a name; give it one, by which it is written")])
+def test_a_metric_of_a_checkout_is_named_with_what_it_is_to_give(given, said, monkeypatch):
+    home = SimpleNamespace(rooms=[SimpleNamespace(id="study_1")])
+    monkeypatch.setattr(metrics, "_member", lambda name: SimpleNamespace(measure=lambda *_: given))
+    with pytest.raises(BadInput, match=rf"^metric seats: measure {said}$"):
+        metrics._measure("seats", home, None)
+
+
+def test_what_compares_sets_gives_a_list_too(monkeypatch):
+    monkeypatch.setattr(metrics, "_member", lambda name: SimpleNamespace(compare=lambda *_: VALUE))
+    with pytest.raises(BadInput, match="^metric seats: compare gave a Value, not a list of Value$"):
+        metrics.compare([None], [None], ["seats"])
 
 
 @pytest.mark.parametrize("names", [(len,), ("desk",), ("desk", 3)])

@@ -20,6 +20,7 @@ from apartgen.stages import registry
 from apartgen.stages.aside import aside, at_once
 from apartgen.stages.export._primitive import primitive
 from apartgen.stages.export._randomized import randomized, told
+from apartgen.stages.registry import contract
 from apartgen.stages.scene.folder import CONTENTS, listed, replaced
 from apartgen.stages.scene.scene import LoadAsset, Scene
 
@@ -27,13 +28,16 @@ PACKAGE = "apartgen.stages.export"
 Colliders = Literal["exact", "primitive"]
 Begun = Callable[[Callable[[], Any]], AbstractContextManager[Callable[[], Any]]]
 """How a job is begun that is waited for later."""
-BARE = ("svg", "png", "elevations", "dxf", "ifc")
-"""Formats that show boxes, not assets."""
 
 
 def formats() -> dict[str, str]:
     """Every format's name and what it is."""
     return registry.members(PACKAGE)
+
+
+def needs_assets(format: str) -> bool:
+    """Whether a format shows assets, not boxes; BadInput for an unknown one. None is imported to know it."""
+    return registry.stated(PACKAGE, format, "NEEDS_ASSETS", usual=True)
 
 
 def run(
@@ -50,7 +54,7 @@ def run(
     """
     if not formats:
         raise BadInput(f"no format asked for; there are: {', '.join(registry.members(PACKAGE))}")
-    writers = {name: registry.load(PACKAGE, name) for name in dict.fromkeys(formats) if name not in BARE}
+    writers = {name: registry.load(PACKAGE, name) for name in dict.fromkeys(formats) if needs_assets(name)}
     scene = Scene(home, load_asset)
     scene = scene if colliders == "exact" else scene.of(primitive(scene.bodies), masked=True)
     scene = scene if randomize is None else scene.of(randomized(scene, randomize))
@@ -97,14 +101,15 @@ def _bare(formats: list[str], scene: Scene, folder: Path) -> dict[str, list[Path
 
 
 def _written(name: str, writer: ModuleType, scene: Scene, folder: Path) -> list[Path]:
-    """The files of a format; BadInput for one that it names and that is not there, or not below the folder."""
+    """The files of a format; BadInput where it gives none, or names one that is not there or not below the folder."""
     paths: list[Path] = writer.write(scene, folder)
-    strange = [path for path in paths if not (path.is_relative_to(folder) and path.is_file())]
-    if strange or not paths:
-        fault = (f"write names {strange[0].name}, which is no file that it wrote below the folder it was given"
-                 if strange else "write gave an empty list; it is to give the paths of the files that it wrote")
-        plugin = registry.bringer(PACKAGE, name)
-        raise BadInput(plugin.told(fault) if plugin else f"format {name}: {fault}")
+    fault = contract.unfit(paths, list[Path]) or ("" if paths else "gave an empty list")
+    if fault:
+        fault += "; it is to give the paths of the files that it wrote, the main one first"
+    elif strange := [path for path in paths if not (path.is_relative_to(folder) and path.is_file())]:
+        fault = f"names {strange[0].name}, which is no file that it wrote below the folder it was given"
+    if fault:
+        raise BadInput(registry.told(PACKAGE, name, f"write {fault}", "format"))
     return paths
 
 

@@ -10,7 +10,8 @@ class Format(Protocol):
     """Writes an apartment.
 
     It may also have `read_back(files: list[Path]) -> None`, which reads what was written by a parser of the format and
-    raises anything where that refuses it.
+    raises anything where that refuses it. One that shows boxes, as a drawing does, says `NEEDS_ASSETS = False`, written
+    out, as it is read without an import: then no asset is loaded, and it is written beside those that need some.
     """
 
     def write(self, scene: Scene, out: Path) -> list[Path]:

@@ -21,6 +21,8 @@ from apartgen.stages.export._strokes import Stroke, strokes, words
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import polygons
 
+NEEDS_ASSETS = False
+
 SYMBOLS, SWEPT, TILES, DIMENSIONS = "A-FURN-SYMB", "A-FURN-SWEP", "A-FLOR-PATT", "A-ANNO-DIMS"
 LAYERS = {"A-WALL": 7, "A-AREA": 8, "A-AREA-IDEN": 2, "A-DOOR": 3, "A-GLAZ": 4, "A-FURN": 6,
           SYMBOLS: 6, SWEPT: 30, TILES: 9, DIMENSIONS: 8}

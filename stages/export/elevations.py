@@ -19,6 +19,8 @@ from apartgen.stages.export._readback import read_xml
 from apartgen.stages.export._seen_walls import Placed, Seen, walls_seen
 from apartgen.stages.scene.scene import Scene
 
+NEEDS_ASSETS = False
+
 INCH = 0.8
 """Inches of paper to a metre."""
 GAP, MARGIN = 1.5, 0.9

@@ -19,6 +19,8 @@ from apartgen.stages.export._readback import Refused
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import polygons
 
+NEEDS_ASSETS = False
+
 KINDS = {"chair": "CHAIR", "table": "TABLE", "desk": "DESK", "bed": "BED", "sofa": "SOFA", "shelf": "SHELF"}
 """IFC's own types of furniture, by the end of our categories."""
 TIME = "2000-01-01T00:00:00"

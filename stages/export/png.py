@@ -6,6 +6,8 @@ from apartgen.stages.export._drawing import sheet
 from apartgen.stages.export._readback import read_images
 from apartgen.stages.scene.scene import Scene
 
+NEEDS_ASSETS = False
+
 DPI = 160
 
 

@@ -10,6 +10,8 @@ from apartgen.stages.export._layers import grouped
 from apartgen.stages.export._readback import read_xml
 from apartgen.stages.scene.scene import Scene
 
+NEEDS_ASSETS = False
+
 
 def write(scene: Scene, out: Path) -> list[Path]:
     """One file, plan.svg; text is text, and every layer and thing has a group of its name."""

@@ -11,6 +11,7 @@ from functools import cache, partial
 from inspect import signature
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Layout
@@ -21,6 +22,7 @@ from apartgen.stages import registry
 from apartgen.stages.metrics import _networks, _seen, _sets
 from apartgen.stages.metrics._beside import beside
 from apartgen.stages.metrics._table import Row, markdown, side_by_side, table
+from apartgen.stages.registry import contract
 
 LOG = logging.getLogger("apartgen")
 __all__ = ["Row", "compare", "markdown", "names", "run", "side_by_side", "table"]
@@ -70,13 +72,22 @@ def _given(name: str, figures: Callable[[str], list[Value]], asked: bool) -> lis
 
 
 def _measure(name: str, home: Plan, against: Plan | Program | None) -> list[Value]:
-    found: list[Value] = _member(name).measure(home, against)
-    if plugin := registry.bringer(__name__, name):
-        there = ["apartment", *(room.id for room in home.rooms)]
-        if strange := [value.of for value in found if value.of not in there]:
-            raise BadInput(plugin.told(f"measure gave a value of {strange[0]!r}; of is one of {', '.join(there)}"))
-        if not all(value.name for value in found):
-            raise BadInput(plugin.told("measure gave a value without a name; give it one, by which it is written"))
+    found = _figures(name, "measure", _member(name).measure(home, against))
+    there = ["apartment", *(room.id for room in home.rooms)]
+    if strange := [value.of for value in found if value.of not in there]:
+        fault = f"measure gave a value of {strange[0]!r}; of is one of {', '.join(there)}"
+        raise BadInput(registry.told(__name__, name, fault, "metric"))
+    return found
+
+
+def _figures(name: str, called: str, given: Any) -> list[Value]:
+    """What a metric gave; BadInput, with its name, for what are no figures with names."""
+    fault = contract.unfit(given, list[Value])
+    found: list[Value] = [] if fault else given
+    if not all(value.name for value in found):
+        fault = "gave a value without a name; give it one, by which it is written"
+    if fault:
+        raise BadInput(registry.told(__name__, name, f"{called} {fault}", "metric"))
     return found
 
 
@@ -125,8 +136,7 @@ def compare(
     def one(name: str) -> list[Value]:
         if _of_rooms(name):
             return beside(partial(_measure, name, against=None), homes, real)
-        found: list[Value] = _member(name).compare(homes, real, **extra.get(name, {}))
-        return found
+        return _figures(name, "compare", _member(name).compare(homes, real, **extra.get(name, {})))
 
     values = [value for name in able for value in _given(name, one, bool(names))]
     return Metrics(values=values, notes=[_sets.NOTE, *([_seen.note(network)] if network else [])])

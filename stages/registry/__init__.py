@@ -92,23 +92,54 @@ def bringer(package: str, name: str) -> Plugin | None:
     return _brought(package)[name][0] if name in _brought(package) else None
 
 
+def told(package: str, name: str, fault: str, kind: str = "") -> str:
+    """A fault of a member in words that say whose it is: another package's, or the folder's own, a `kind` of thing."""
+    plugin = bringer(package, name)
+    return plugin.told(fault) if plugin else f"{kind or package.rpartition('.')[2]} {name}: {fault}"
+
+
+def _source(package: str, name: str) -> Path:
+    """Where a member is written; BadInput, naming the members there are, when there is none of that name."""
+    plugin, own = bringer(package, name), _own(package)
+    if plugin and plugin.place:
+        return plugin.place
+    if name in own:
+        return own[name]
+    names = list(members(package))
+    close = difflib.get_close_matches(name, names, n=1)
+    hint = f"did you mean {close[0]!r}? " if close else ""
+    raise BadInput(f"no {package.rpartition('.')[2]} {name!r}; {hint}there are: {', '.join(names)}")
+
+
+def stated(package: str, name: str, fact: str, usual: bool) -> bool:
+    """A fact that a member's file gives as `FACT = False`, read from its text; `usual` where it says nothing.
+
+    BadInput for one that is not written out.
+    """
+    for line in ast.parse(_source(package, name).read_bytes()).body:
+        targets = line.targets if isinstance(line, ast.Assign) else [getattr(line, "target", None)]
+        if isinstance(line, ast.Assign | ast.AnnAssign) and fact in [getattr(one, "id", "") for one in targets]:
+            if not isinstance(value := getattr(line.value, "value", None), bool):
+                given = ast.unparse(line.value) if line.value else "nothing"
+                raise BadInput(told(package, name, f"{fact} = {given} is no bool; write it as True or False"))
+            return value
+    return usual
+
+
 def load(package: str, name: str) -> ModuleType:
     """Import one member.
 
     BadInput, naming the members there are, when there is none of that name; and for one that is broken, or that does
     not keep the folder's contract.
     """
-    kind, protocols = package.rpartition(".")[2], contract.protocols(package)
-    if name in _brought(package):
-        return _brought_in(_brought(package)[name][0], protocols)
-    if name not in _own(package):
-        names = list(members(package))
-        close = difflib.get_close_matches(name, names, n=1)
-        hint = f"did you mean {close[0]!r}? " if close else ""
-        raise BadInput(f"no {kind} {name!r}; {hint}there are: {', '.join(names)}")
+    _source(package, name)
+    protocols = contract.protocols(package)
+    if plugin := bringer(package, name):
+        return _brought_in(plugin, protocols)
     member = importlib.import_module(f"{package}.{name}")
     if fault := contract.fault(member, protocols):
-        raise BadInput(f"{kind} {name!r} {fault}; docs/extending.md says what is needed ({member.__file__})")
+        needed = f"{fault}; docs/extending.md says what is needed ({member.__file__})"
+        raise BadInput(f"{package.rpartition('.')[2]} {name!r} {needed}")
     return member
 
 

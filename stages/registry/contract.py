@@ -119,17 +119,23 @@ def _guarded(function: Callable[..., Any], hint: Any, told: Told, home: str) -> 
     return call
 
 
-def _expected(value: Any, hint: Any) -> None:
-    """_Gave for a value that is not of a type, or of a list of one."""
+def unfit(value: Any, hint: Any) -> str:
+    """What a value is in place of a type, or of a list of one, in words; empty for one that is of it."""
     many = get_origin(hint) is list
     of = get_args(hint)[0] if many else get_origin(hint) or hint
     if of is float and type(value) is int:
-        return  # a number is a number
+        return ""  # a number is a number
     if not isinstance(value, list if many else of):
-        raise _Gave(f"gave a {type(value).__name__}, not a {'list' if many else of.__name__}")
-    for item in value if many else ():
-        if not isinstance(item, of):
-            raise _Gave(f"gave a list with a {type(item).__name__}, not of {of.__name__}")
+        gave = "nothing" if value is None else f"a {type(value).__name__}"
+        return f"gave {gave}, not a {'list of ' * many}{of.__name__}"
+    strange = [type(item).__name__ for item in value if not isinstance(item, of)] if many else []
+    return f"gave a list with a {strange[0]}, not of {of.__name__}" if strange else ""
+
+
+def _expected(value: Any, hint: Any) -> None:
+    """_Gave for a value that is not of a type, or of a list of one."""
+    if said := unfit(value, hint):
+        raise _Gave(said)
 
 
 def told(error: BaseException) -> str:

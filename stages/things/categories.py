@@ -200,7 +200,10 @@ def those(true_of: Callable[[Category], bool]) -> frozenset[str]:
 
 @cache
 def used_for(*uses: str) -> frozenset[str]:
-    """Names of the categories that have one of these uses."""
+    """Names of the categories that have one of these uses; ValueError for what is the use of none."""
+    known = _uses(TABLE)
+    if strange := [use for use in uses if use not in known]:
+        raise ValueError(f"no use {strange[0]!r}; {near(strange[0], known)}")
     return those(lambda kind: kind.is_for(*uses))
 
 

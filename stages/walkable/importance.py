@@ -1,7 +1,7 @@
 """Which objects a home misses least."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -10,6 +10,7 @@ from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.schemas.rooms import kinds
 from apartgen.stages.space import footprints
 from apartgen.stages.things import categories
+from apartgen.stages.things.carrying import carried
 from apartgen.stages.things.rooms import furnishing
 from apartgen.stages.walkable.site import Need, Scene, Site
 
@@ -104,20 +105,42 @@ def _serves(o: Furnishing) -> str:
     return categories.TABLE[o.category].serves if o.category in categories.TABLE else o.category
 
 
-def asked(o: Furnishing, scene: Scene, site: Site) -> bool:
-    """Whether the prompt asked for it: its room's number of objects, or this many of its category."""
-    wishes = [wish for wish in site.program.objects if (wish.room, wish.category) == (o.room, o.category)]
-    same = sum((p.room, p.category) == (o.room, o.category) for p in scene) if wishes else 0
-    return o.room in site.program.counts or any(same <= wish.count for wish in wishes)
+def asked(some: Collection[Furnishing], scene: Scene, site: Site) -> bool:
+    """Whether the prompt asked for some of these: their rooms' numbers of objects, or so many of a category that the
+    others do not make up.
+    """
+    gone = Counter((o.room, o.category) for o in some)
+    if any(room in site.program.counts for room, _ in gone):
+        return True
+    wishes = [wish for wish in site.program.objects if gone[wish.room, wish.category]]
+    left = Counter((o.room, o.category) for o in scene) - gone if wishes else gone
+    return any(left[wish.room, wish.category] < wish.count for wish in wishes)
+
+
+def _spared(o: Furnishing, scene: Scene, site: Site) -> bool:
+    """Whether nobody asked for it, nor for what stands on it and would go along."""
+    return not asked([o, *carried(o, scene)], scene, site)
+
+
+def at_once(loose: Sequence[Furnishing], scene: Scene, site: Site) -> list[Furnishing]:
+    """Of what may go each by itself the first that may go together: of two lamps of which one was asked for, one."""
+    gone: dict[str, Furnishing] = {}
+    kept = []
+    for o in loose:
+        more = gone | {p.id: p for p in (o, *carried(o, scene))}
+        if not asked(more.values(), scene, site):
+            gone = more
+            kept.append(o)
+    return kept
 
 
 def droppable(site: Site, scene: Scene, most: int = 1) -> list[Furnishing]:
     """Obstacles up to a rank that may be left out, the least important first, large before small.
 
-    What the prompt asked for never is, nor what is vital.
+    What the prompt asked for never is, nor what carries it, nor what is vital.
     """
     ranks, most = Ranks(site, scene), min(most, 2)
-    loose = [o for o in scene if footprints.is_obstacle(o) and ranks.of(o) <= most and not asked(o, scene, site)]
+    loose = [o for o in scene if footprints.is_obstacle(o) and ranks.of(o) <= most and _spared(o, scene, site)]
     return sorted(loose, key=lambda o: (ranks.of(o), -footprints.area(o), o.id))
 
 
@@ -127,6 +150,6 @@ def sparable(some: Sequence[Furnishing], scene: Scene, site: Site) -> list[Furni
     A seat goes before the table that it belongs to, but after anything else that matters as little.
     """
     ranks, pair = Ranks(site, scene), len(some) == 2 and categories.tucks(*(o.category for o in some))
-    loose = [o for o in some if ranks.of(o) <= 1 and not asked(o, scene, site)]
+    loose = [o for o in some if ranks.of(o) <= 1 and _spared(o, scene, site)]
     return sorted(loose, key=lambda o: (
         0 if pair else ranks.of(o), (o.category in categories.SEATS) != pair, footprints.area(o), o.id))

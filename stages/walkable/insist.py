@@ -55,7 +55,8 @@ def making_room(site: Site, now: Ways, here: View, able: list[Furnishing]) -> It
     tried = set[tuple[str, ...]]()
     for most in (-1, 0, 1, 2):
         for o in firm:
-            loose = [p for p in near if ranks.of(p) <= min(most, ranks.of(o) - 1) and p.id != o.id]
+            less = [p for p in near if ranks.of(p) <= min(most, ranks.of(o) - 1) and p.id != o.id]
+            loose = importance.at_once(less, now.scene, site)
             names = (o.id, *(p.id for p in loose))
             if names in tried:
                 continue

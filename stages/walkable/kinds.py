@@ -34,7 +34,7 @@ def stand_ins(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     """
     if o.category in BUILT_IN or o.category not in categories.TABLE:
         return
-    kinds = () if importance.asked(o, scene, site) else categories.TABLE[o.category].instead
+    kinds = () if importance.asked([o], scene, site) else categories.TABLE[o.category].instead
     sills = [window.sill for window in site.world.plan.openings if window.kind == "window" and o.room in window.rooms]
     sill = min(sills, default=np.inf) - BELOW_SILL
     for category in (o.category, *kinds):

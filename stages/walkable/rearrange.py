@@ -60,7 +60,7 @@ def rearranged(site: Site, now: Ways, here: View) -> Iterator[Repair]:
         if site.floors[room].area > SMALL or not 2 <= len(firm) <= FIRM:
             continue
         spare = importance.droppable(site, now.scene, 1) if site.config.drop else []
-        loose = [o for o in spare if o.room == room and o not in firm]
+        loose = importance.at_once([o for o in spare if o.room == room and o not in firm], now.scene, site)
         cases = list(product([[], loose] if loose else [[]], combinations(firm, min(TOGETHER, len(firm)))))
         for gone, some in cases:
             yield from islice(_arrangements(question, gone, some, len(cases)), 1)

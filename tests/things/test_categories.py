@@ -1,5 +1,7 @@
 """The vocabulary: what its facts keep among themselves, and how entries that are like others are read."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -42,6 +44,21 @@ def test_uses_hold_what_people_would_say():
     assert used_for("sleep") == {"double_bed", "single_bed", "bunk_bed", "cot"}
     assert used_for("bathe") == {"bath", "shower"} and used_for("dine") == {"dining_table", "round_table"}
     assert used_for("rinse", "cool") == {"kitchen_sink", "fridge"}
+
+
+@pytest.mark.parametrize(("use", "said"), [
+    ("sleeping", "^no use 'sleeping'; did you mean 'sleep'"), ("zzz", "^no use 'zzz'; there are: .*sleep")])
+def test_a_use_that_there_is_not_is_an_error(use, said):
+    """Else what is written with it is silently about nothing."""
+    with pytest.raises(ValueError, match=said):
+        used_for("cook", use)
+
+
+def test_a_use_that_an_entry_brings_is_one(monkeypatch):
+    bench = replace(TABLE["desk"], name="bench_of_tests", uses=("tinker",))
+    monkeypatch.setattr(categories, "TABLE", TABLE | {bench.name: bench})
+    assert used_for("tinker") == {"bench_of_tests"}
+    used_for.cache_clear()
 
 
 DESK = {"standing_desk": {"like": "desk", "size": [0.7, 1.5, 1.0], "min": [0.6, 1.0, 0.9], "max": [0.9, 2.0, 1.2],

@@ -62,3 +62,34 @@ def test_what_was_asked_for_stays():
     second = h.home(*things(), h.thing("armchair", 1.0, 0.6, id="second", size=(0.8, 0.8, 0.9)))
     both = second.model_copy(update={"program": home.program.model_copy(update={"objects": [wish]})})
     assert {"armchair", "second"} <= set(order(both))
+
+
+def lamps(*below):
+    """The things above with a table lamp on each of some side tables, and a programme that asks for so many."""
+    stands = [h.thing("side_table", x, 0.4, id=f"stand{x:g}", size=(0.4, 0.4, 0.5)) for x in below]
+    on = [h.thing("table_lamp", x, 0.4, bottom=0.5, id=f"lamp{x:g}").model_copy(update={"on": f"stand{x:g}"})
+          for x in below]
+    return h.home(*things(), *stands, *on)
+
+
+def lit(home, count):
+    wish = AskedObjects(room=h.LIVING, category="table_lamp", count=count)
+    return home.model_copy(update={"program": home.program.model_copy(update={"objects": [wish]})})
+
+
+def test_what_carries_what_was_asked_for_stays():
+    """Leaving out the table would take the lamp along."""
+    assert "stand2" in order(lamps(2)) and "stand2" not in order(lit(lamps(2), 1), 2)
+    assert {"stand2", "stand3"} <= set(order(lit(lamps(2, 3), 1)))
+    site = survey(lit(lamps(2), 1), WalkableConfig(), fake.Boxes())
+    scene = tuple(lit(lamps(2), 1).objects)
+    assert importance.sparable([o for o in scene if o.id == "stand2"], scene, site) == []
+
+
+def test_of_several_that_may_go_no_more_go_at_once_than_were_not_asked_for():
+    home = lit(lamps(1, 2, 3), 2)
+    site, scene = survey(home, WalkableConfig(), fake.Boxes()), tuple(home.objects)
+    loose = importance.droppable(site, scene)
+    assert {"stand1", "stand2", "stand3"} <= {o.id for o in loose}
+    together = [o.id for o in importance.at_once(loose, scene, site)]
+    assert together == [o.id for o in loose if o.id not in ("stand2", "lamp2", "stand3", "lamp3")]

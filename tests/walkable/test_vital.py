@@ -93,3 +93,16 @@ def test_what_is_in_the_way_only_together_with_lesser_things_moves_once_they_are
     home = home.model_copy(update={"rooms": rooms, "openings": openings})
     result = walk(home, fake.Empty(), target=0.2)
     assert result.walkable.unreached == [] and lacking(home, result) == []
+
+
+def test_a_stand_stays_with_the_lamp_on_it_that_was_asked_for():
+    """Where that meets no target, it is said as elsewhere; what carries nothing goes."""
+    stands = [h.thing("nightstand", x, 0.3, UP, size=(0.4, 0.5, 0.5), id=f"stand{x}") for x in (1, 2)]
+    home = h.home(*stands, h.thing("table_lamp", 2, 0.3, bottom=0.5, id="lamp"))
+    assert walk(home, fake.Empty(), target=0.999).walkable.dropped == ["stand1", "stand2", "lamp"]
+    wish = AskedObjects(room=h.LIVING, category="table_lamp", count=1)
+    asked = home.model_copy(update={"program": home.program.model_copy(update={"objects": [wish]})})
+    with pytest.raises(Unmet, match="can't be met"):
+        walk(asked, fake.Empty(), target=0.999)
+    assert walk(asked, fake.Empty(), target=0.999, write_anyway=True).walkable.dropped == ["stand1"]
+    assert walk(asked, fake.Empty(), target=0.99).walkable.dropped == ["stand1"]

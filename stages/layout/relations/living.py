@@ -56,7 +56,7 @@ def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, 
     place, linen = site(plan, room.id), linen_in(plan)
     if room.base != "living_room":
         near = linen and (linen == room.id or room.base == "bedroom")
-        kept = [{BASKET: int(linen == room.id and chances[0] < KEPT)}] if near else []
+        kept: list[Mapping[str, int]] = [{BASKET: int(linen == room.id and chances[0] < KEPT)}] if near else []
         children = any(asked.children for asked in plan.program.rooms if asked.id == room.id)
         watched = place.main and not children and place.area >= FLOOR and chances[1] < WATCHED
         return [*kept, SCREEN] if watched else kept

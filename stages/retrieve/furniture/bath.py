@@ -118,7 +118,7 @@ def toilet(kit: Kit) -> None:
     cover = Body()
     z = (rim + 0.022, rim + 0.035)
     cover.prism("plastic_white", ring((back + half[0] + 0.0, 0), half, 0, 2.5)[:, :2], *z, smooth=True)
-    kit.hinge("lid", cover, (back, 0, z[1]), (0, -1, 0), "hinge_lid", handle=(kit.x[1], 0, z[0]))
+    kit.hinge("lid", cover, (back, 0, z[1]), (0, -1, 0), handle=(kit.x[1], 0, z[0]))
 
 
 def _bowl(kit: Kit, centre: tuple[float, float], half: tuple[float, float], rim: float, hung: bool) -> None:

@@ -29,7 +29,7 @@ def _lidded(kit: Kit, body: str, lid: str, exponent: float, foot: float, thick: 
     short = thick**2 / (2 * kit.d) + 0.001
     middle, deep = (wall - short) / 2, half[0] - (wall + short) / 2
     cover.prism(lid, ring((middle, 0), (deep, half[1]), 0, exponent, n)[:, :2], *z, smooth=True)
-    kit.hinge("lid", cover, (kit.x[0] + wall, 0, z[1]), (0, -1, 0), "hinge_lid", handle=(kit.x[1] - short, 0, z[0]))
+    kit.hinge("lid", cover, (kit.x[0] + wall, 0, z[1]), (0, -1, 0), handle=(kit.x[1] - short, 0, z[0]))
 
 
 @design("bin", "pedal", "square", "swing")

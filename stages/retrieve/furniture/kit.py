@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from apartgen.schemas.retrieve import Joint
 from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.space.boxes import Array
 from apartgen.stages.things import categories, weights
 from apartgen.stages.things.asset import Asset, Collider, Link
 
@@ -64,16 +65,16 @@ class Kit:
         return options[int(self.rng.integers(len(options)))]
 
     def hinge(
-        self, name: str, body: Body, origin: ArrayLike, axis: ArrayLike, part: str = "hinge_door",
+        self, name: str, body: Body, origin: ArrayLike, axis: ArrayLike, part: str = "",
         upto: float = QUARTER, handle: tuple[float, float, float] | None = None, grip: str = "",
     ) -> None:  # fmt: skip
-        """A part that turns from 0 to `upto` radians about an axis."""
+        """A part that turns from 0 to `upto` radians about an axis; which `part` it is follows from how it lies."""
         joint: dict[str, Any] = {
             "type": "hinge",
             "origin": np.asarray(origin, float),
             "axis": axis,
             "range": (0.0, upto),
-            "part": part,
+            "part": part or _hung(body, np.asarray(origin, float), np.asarray(axis, float)),
         }
         self._move(name, body, joint, handle, grip)
 
@@ -123,6 +124,14 @@ class Kit:
             )
         return Asset("parametric", id, self.category, self.style, self.size, links, credit="apartgen, CC0-1.0",
                      roles=self.roles)
+
+
+def _hung(body: Body, origin: Array, axis: Array) -> str:
+    """The class of what turns: a lid lies flat while it is shut and is raised about a level axis; else it is a door."""
+    lo, hi = body.bounds()
+    raised = np.cross(axis, (lo + hi) / 2 - origin)[2] > 0
+    flat, level = np.argmin(hi - lo) == 2, abs(axis[2]) < 0.5 * np.linalg.norm(axis)
+    return "hinge_lid" if flat and level and raised else "hinge_door"
 
 
 def _lowered(body: Body, drop: float) -> list[Collider]:

@@ -99,7 +99,7 @@ def piano(kit: Kit) -> None:
     lid_x, z = (back + 0.003, kit.x[1] - 0.01), (key + 0.05, key + 0.07)
     lid.box(case, lid_x, (inner[0] + 0.003, inner[1] - 0.003), z)
     lid.box(case, (lid_x[1] - 0.018, lid_x[1]), (inner[0] + 0.003, inner[1] - 0.003), (key + 0.02, z[0]))
-    kit.hinge("lid", lid, (lid_x[0], 0, z[1]), (0, -1, 0), "hinge_lid", handle=(lid_x[1], 0, key + 0.035))
+    kit.hinge("lid", lid, (lid_x[0], 0, z[1]), (0, -1, 0), handle=(lid_x[1], 0, key + 0.035))
 
 
 def _keys(kit: Kit, key: float, back: float, y: tuple[float, float]) -> None:

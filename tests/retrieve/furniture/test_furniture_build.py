@@ -10,6 +10,8 @@ import trimesh
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.retrieve import furniture, parametric
 from apartgen.stages.retrieve.furniture import sofas
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.space import sweeps
 from apartgen.stages.things import body, categories
 
@@ -120,6 +122,27 @@ def test_joints_carry_the_extent_and_part_class_of_what_they_move():
             assert link.joint.range[0] == 0.0 < link.joint.range[1]
             assert link.grip in {"", "line_fixed_handle", "round_fixed_handle"}
             assert (link.handle >= lo - 0.06).all() and (link.handle <= hi + 0.06).all(), (asset.id, link.name)
+
+
+@pytest.mark.parametrize("low, high, origin, axis, part", [
+    ((-0.3, -0.5, 0.7), (0.3, 0.5, 0.72), (-0.3, 0, 0.72), (0, -1, 0), "hinge_lid"),
+    ((-0.3, -0.5, 0.7), (0.3, 0.5, 0.72), (0, 0.5, 0.72), (-2, 0, 0), "hinge_lid"),
+    ((-0.3, -0.5, 0.7), (0.3, 0.5, 0.72), (0, 0.5, 0.72), (2, 0, -0.1), "hinge_door"),
+    ((-0.3, -0.5, 0.7), (0.3, 0.5, 0.72), (0, -0.5, 0.72), (2, 0, 0), "hinge_lid"),
+    ((-0.3, -0.5, 0.7), (0.3, 0.5, 0.72), (0.3, 0, 0.72), (0, 1, 0), "hinge_lid"),
+    ((-0.3, -0.5, 0.1), (0.3, 0.5, 0.12), (0.3, 0, 0.1), (0, -1, 0), "hinge_door"),
+    ((0.28, -0.5, 0.1), (0.3, 0.5, 0.72), (0.3, 0, 0.72), (0, -1, 0), "hinge_door"),
+    ((0.28, -0.5, 0.1), (0.3, 0.5, 0.72), (0.3, 0.5, 0), (0, 0, 1), "hinge_door"),
+    ((-0.3, -0.5, 0.7), (0.3, 0.5, 0.72), (0.3, 0.5, 0), (0, 0, 1), "hinge_door"),
+])
+def test_what_lies_flat_and_is_raised_is_a_lid(low, high, origin, axis, part):
+    """By whatever edge; a front that goes up is none, nor what lies flat and sinks or swings out level."""
+    for given, told in (("", part), ("hinge_knob", "hinge_knob")):
+        kit, moved = Kit("chest", "mine", (0.6, 1.0, 0.72), 0), Body()
+        moved.box("oak", *zip(low, high))
+        kit.base.box("oak", kit.x, kit.y, (0, 0.1))
+        kit.hinge("it", moved, origin, axis, **({"part": given} if given else {}))
+        assert kit.finish("chest/mine/0").joints[0].part == told
 
 
 def test_links_weigh_what_furniture_weighs():
