@@ -8,6 +8,7 @@ from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.articles import definite
 from apartgen.stages.plan.reader.asides import having_something
 from apartgen.stages.plan.reader.attachments import attach_owned
+from apartgen.stages.plan.reader.beside_things import beside_things
 from apartgen.stages.plan.reader.comparisons import compared_again, comparisons, summed
 from apartgen.stages.plan.reader.corrections import corrected
 from apartgen.stages.plan.reader.denied import all_denied
@@ -50,13 +51,14 @@ def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
     folded = in_known_words(prompt)
-    people, text = housed(folded)
+    placed, beyond = beside_things(folded)
+    people, text = housed(placed)
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)
     words = lexemes(tokenize(text), lexicon)
     words = bedrooms_apiece(quantities(words), whole.people.count if whole.people else 0)
     words = purposes(for_people(words))
-    said = Said(about=whole, prompt=prompt, beyond=limits(folded))
+    said = Said(about=whole, prompt=prompt, beyond=[*limits(folded), *beyond])
     said.corrected = [slip for word in words for slip in word.slips]
     if described(words, said):
         return said
