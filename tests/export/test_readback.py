@@ -73,6 +73,7 @@ def test_a_format_of_another_package_needs_no_reader(tmp_path, monkeypatch):
         return [out / "plain.txt"]
 
     monkeypatch.setattr(export.registry, "load", lambda package, wanted: SimpleNamespace(write=write))
+    monkeypatch.setattr(export.registry, "stated", lambda package, name, fact, usual: usual)
     made = export.run(sample.home(), ["plain"], tmp_path / "scene", sample.load)
     assert "plain.txt" in {file.path for file in made.files}
 

@@ -40,7 +40,7 @@ def known_list(items: list[Item], j: int) -> list[RoomPhrase]:
     measured = max((n + 1 for n, r in enumerate(rooms[:-1]) if r.areas), default=0)
     rooms = rooms[measured:]  # "each bedroom at least 11 m², the kitchen and the lounge together 30 m²"
     opens = start == 0 or is_mark(items[start - 1], ".;:")
-    fits = rooms[0].quantifier in KNOWN or (opens and _plain(rooms[0]))
+    fits = rooms and (rooms[0].quantifier in KNOWN or (opens and _plain(rooms[0])))
     return rooms if fits and _alike(rooms[1:]) else []
 
 

@@ -6,7 +6,7 @@ import sys
 import time
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from sentences import Case, cases
 
@@ -295,6 +295,7 @@ WORDS = sorted({w for c in cases("tune") for w in c.prompt.split()})
 
 @settings(max_examples=150, deadline=None)
 @given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=25).map(" ".join))
+@example("6, 22m2 Behind conservatory")
 def test_no_sentence_breaks_it(prompt: str) -> None:
     try:
         program = read(prompt)
