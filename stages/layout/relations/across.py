@@ -1,11 +1,12 @@
 """A television straight across from its sofa, or from the bed where there is none: places, and what others cost."""
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
-from apartgen.stages.layout.relations.company import FAR, Seen
+from apartgen.stages.layout.relations.company import FAR, Seen, alone
 from apartgen.stages.layout.relations.distances import GLARE, ahead
 from apartgen.stages.layout.relations.places import OFF, about, along, likeliest
 from apartgen.stages.layout.relations.standing import Furniture
@@ -18,6 +19,8 @@ ASIDES = (0.0, 0.15, -0.15)
 """So far beside the sofa's axis it may be, too, m."""
 FREE, MOST, EACH = 0.2, 1.0, 20.0
 """Nobody minds so much, m; what each metre more costs, up to that."""
+ON_IT = 0.15
+"""Nearer to its middle, m, something above the floor is on it, or hangs over it."""
 ACROSS = -0.9
 """What looks back at one does within this cosine."""
 
@@ -45,6 +48,24 @@ def price(there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Arr
         aside = np.where(facing & (seen.x > 0) & (seen.gap < FAR), np.abs(seen.y), np.inf).min(1)
         aside[~np.isfinite(aside)] = 0.0
     return np.asarray(EACH * np.clip(aside - FREE, 0.0, MOST - FREE))
+
+
+def watched(there: Furniture, fixed: int, empty: Callable[[], Furniture], asked: Counter[str]) -> Furniture:
+    """The furniture without what a television stands on that nobody sees from bed where there is no sofa, and without
+    what is on it; the first `fixed` are given and stay, as does what is asked for.
+
+    A bed comes after it, as in what the model learned, and finds its place elsewhere in one room of five."""
+    names = [kinds.basic(o) for o in there.names]
+    unseen = [k for k in range(fixed, len(names)) if names[k] == SCREEN and not asked[there.names[k]]
+              and alone(SCREEN, there.boxes[k][None], there.names, there.boxes)[0]]
+    if not unseen or not kinds.SOFAS.isdisjoint(names):
+        return there
+    off = np.abs(there.boxes[:, None, :2] - there.boxes[None, unseen, :2]).max(-1) < ON_IT
+    on = off.any(1) & (there.boxes[:, 5] > 0.1)
+    rest = empty()
+    for k in (k for k in range(len(names)) if k < fixed or not (k in unseen or on[k])):
+        rest.add(there.names[k], there.boxes[k])
+    return rest
 
 
 def _shown(there: Furniture) -> Array:

@@ -135,6 +135,7 @@ class Sampler:
             p.furniture = corners.squared(p.furniture, given, empty)
         if self.constrained and not p.left:
             p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
+            p.furniture = across.watched(p.furniture, given, self.room.empty.fork, self.room.asked)
         return p
 
     def _looked_for(self, p: Particle, name: str, boxes: Array, weight: Floats,

@@ -1,5 +1,7 @@
 """A television stands straight across from its sofa, for which the sofa is put where that can be."""
 
+from collections import Counter
+
 import numpy as np
 import pytest
 from rooms_for_tests import box, one_room, room
@@ -49,3 +51,25 @@ def test_a_sofa_costs_what_the_wall_across_has_no_place_for_a_screen() -> None:
     cost = across.price(there, "sofa", rows, ["tv_stand"])
     assert cost[0] == cost[2] == 0 and cost[1] > 5
     assert not across.price(there, "sofa", rows, ["plant"]).any(), "where none is to come"
+
+
+@pytest.mark.parametrize(("at", "fixed", "asked", "others", "left"), [
+    ((-1.54, 0.0, 0.0), 0, {}, [], True),  # the bed looks at it
+    ((0.0, -1.4, np.pi / 2), 0, {}, [], False), ((0.0, -1.4, np.pi / 2), 2, {}, [], True),
+    ((0.0, -1.4, np.pi / 2), 0, {"tv_stand": 1}, [], True), ((0.0, -1.4, np.pi / 2), 0, {}, ["sofa"], True),
+])  # fmt: skip
+def test_a_screen_that_nobody_sees_from_bed_is_left_out_with_what_is_on_it(
+    at: tuple[float, float, float], fixed: int, asked: dict[str, int], others: list[str], left: bool
+) -> None:
+    there = room(4.0, 5.0)
+    screen = box((0.1, 1.0, 0.6), 1.79, 0.0, np.pi)
+    screen[5:] = 0.5, 1.1
+    there.add("tv_stand", box(STAND, 1.79, 0.0, np.pi))
+    there.add("tv", screen)
+    there.add("double_bed", box((2.0, 1.6, 0.5), *at))
+    there.add("chest", box((0.4, 0.8, 0.8), 1.79, 1.8, np.pi))
+    for name in others:
+        there.add(name, box(SOFA, -1.54, 1.0))
+    found = across.watched(there, fixed, lambda: Furniture(there.space), Counter(asked))
+    assert found.names == (there.names if left else ["double_bed", "chest"])
+    assert not len(found.names) or np.array_equal(found.boxes[-1], there.boxes[-1])
