@@ -19,6 +19,8 @@ TURNED, STRANDED = np.radians(68), 1.6
 """An armchair looks at a sofa within this angle, and stands no farther from it, m."""
 AROUND, BY, SIGHT = np.radians(50), 1.0, np.radians(75)
 """The same of the low table before the sofa, if there is one; from an armchair one sees a screen within the last."""
+PAIR, WITHIN_REACH, BESIDE_IT = 1.2, 0.65, 0.3
+"""A seat so wide is for two, m; so near is the low table then at most, and so far aside of its middle."""
 BEHIND, BACK_TO = np.radians(120), 0.6
 """Farther aside a dining table is behind who sits in an armchair, and so far from it at least, m."""
 AT, AT_DESK, REACH, NEAR = 0.28, 0.4, 0.4, 0.55
@@ -185,9 +187,12 @@ def _watches(seen: Seen, hosts: Sequence[str]) -> Flags:
 
 
 def _in_group(seen: Seen, hosts: Sequence[str]) -> Flags:
-    """An armchair looks at the low table, or the sofa, and into nobody's arm or back."""
+    """An armchair looks at the low table, or the sofa, and into nobody's arm or back; who shares a seat for two has the
+    table right before it, and is not between the sofa and its screen."""
     low = np.array([o == "coffee_table" for o in hosts])
-    near = np.where(low, (seen.off < AROUND) & (seen.gap < BY), (seen.off < TURNED) & (seen.gap < STRANDED))
+    shared = (seen.half[..., 1] < PAIR / 2) | (seen.gap < WITHIN_REACH) & (np.abs(seen.y) < BESIDE_IT)
+    near = np.where(low, (seen.off < AROUND) & (seen.gap < BY) & shared,
+                    (seen.off < TURNED) & (seen.gap < STRANDED))
     return np.asarray(near[:, low if low.any() else ~low].any(1) & ~seen.walls_in()[:, ~low].any(1))
 
 

@@ -274,3 +274,17 @@ def test_a_screen_is_before_a_bed_where_there_is_no_sofa(
     stands = {"double_bed": [0, 0, 0, 2.0, 1.8, 0, 0.5], "sofa": [0, -3, -np.pi / 2, 0.9, 2.0, 0, 0.8]}
     hosts = np.array([stands[name] for name in there], np.float32)
     assert company.alone("tv_stand", screen, there, hosts)[0] != seen
+
+
+@pytest.mark.parametrize(("ahead", "aside", "wide", "belongs"), [
+    (1.2, 0.0, 1.5, True), (1.2, 0.25, 1.5, True), (1.2, 0.5, 1.5, False), (1.6, 0.0, 1.5, False),
+    (1.2, 0.5, 0.8, True), (1.6, 0.0, 0.8, True),
+])  # fmt: skip
+def test_a_seat_for_two_has_the_low_table_right_before_it(
+    ahead: float, aside: float, wide: float, belongs: bool
+) -> None:
+    """At the origin, looking along x at a table of .6 by 1 m; an armchair may stand farther off, and aside."""
+    seat = np.array([[0, 0, 0, 0.85, wide, 0, 0.8]], np.float32)
+    hosts = np.array([[ahead, aside, 0, 0.6, 1.0, 0, 0.4], [5, 5, np.pi, 0.9, 2.0, 0, 0.8]], np.float32)
+    name = "loveseat" if wide > 1 else "armchair"
+    assert company.alone(name, seat, ["coffee_table", "sofa"], hosts)[0] != belongs
