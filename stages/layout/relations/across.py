@@ -15,6 +15,7 @@ from apartgen.stages.use import kinds
 
 SCREEN, SIZE, TURN = "tv_stand", (0.4, 1.2, 0.5), float(np.pi)
 """What a television stands on, the least of it, m, and how it is turned from who watches."""
+TELEVISION = "tv"
 ASIDES = (0.0, 0.15, -0.15)
 """So far beside the sofa's axis it may be, too, m."""
 FREE, MOST, EACH = 0.2, 1.0, 20.0
@@ -52,10 +53,12 @@ def price(there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Arr
 
 def watched(there: Furniture, fixed: int, empty: Callable[[], Furniture], asked: Counter[str]) -> Furniture:
     """The furniture without what a television stands on that nobody sees from bed where there is no sofa, and without
-    what is on it; the first `fixed` are given and stay, as does what is asked for.
+    what is on it; the first `fixed` are given and stay, as does what is asked for, and what carries it.
 
     A bed comes after it, as in what the model learned, and finds its place elsewhere in one room of five."""
     names = [kinds.basic(o) for o in there.names]
+    if asked[TELEVISION]:
+        return there
     unseen = [k for k in range(fixed, len(names)) if names[k] == SCREEN and not asked[there.names[k]]
               and alone(SCREEN, there.boxes[k][None], there.names, there.boxes)[0]]
     if not unseen or not kinds.SOFAS.isdisjoint(names):

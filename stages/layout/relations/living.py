@@ -31,8 +31,10 @@ class Way(NamedTuple):
     people: int = 0
 
 
+NO_SCREEN = Way(0.2, 0.0, {"tv_stand": 0, "tv": 0})
+"""Where one sleeps in the living room, too."""
 WAYS = (
-    Way(0.2, 0.0, {"tv_stand": 0, "tv": 0}),
+    NO_SCREEN,
     Way(0.3, 20.0, {"corner_sofa": 1, "sofa": 0}),
     Way(0.05, 0.0, {"armchair": 0}),
     Way(0.25, 20.0, {"armchair": 2}),
@@ -61,7 +63,7 @@ def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, 
         children = any(asked.children for asked in plan.program.rooms if asked.id == room.id)
         watched = place.main and not children and place.area >= FLOOR and chances[1] < WATCHED
         return [*kept, SCREEN] if watched else kept
-    ways = WAYS[:1] if place.sleeps else WAYS
+    ways = (NO_SCREEN,) if place.sleeps else WAYS
     return [way.counts for way, chance in zip(ways, chances, strict=False)
             if chance < way.share and place.area >= way.floor and (place.sleepers or 0) >= way.people]
 

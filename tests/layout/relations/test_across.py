@@ -56,7 +56,8 @@ def test_a_sofa_costs_what_the_wall_across_has_no_place_for_a_screen() -> None:
 @pytest.mark.parametrize(("at", "fixed", "asked", "others", "left"), [
     ((-1.54, 0.0, 0.0), 0, {}, [], True),  # the bed looks at it
     ((0.0, -1.4, np.pi / 2), 0, {}, [], False), ((0.0, -1.4, np.pi / 2), 2, {}, [], True),
-    ((0.0, -1.4, np.pi / 2), 0, {"tv_stand": 1}, [], True), ((0.0, -1.4, np.pi / 2), 0, {}, ["sofa"], True),
+    ((0.0, -1.4, np.pi / 2), 0, {"tv": 1}, [], True), ((0.0, -1.4, np.pi / 2), 0, {"tv_stand": 1}, [], True),
+    ((0.0, -1.4, np.pi / 2), 0, {}, ["sofa"], True),
 ])  # fmt: skip
 def test_a_screen_that_nobody_sees_from_bed_is_left_out_with_what_is_on_it(
     at: tuple[float, float, float], fixed: int, asked: dict[str, int], others: list[str], left: bool

@@ -94,7 +94,7 @@ def test_ways_of_living_are_as_many_as_they_say_and_of_rooms_one_lives_in() -> N
     assert others and not any(living.draw(plan, other, never) for other in others)
     studio: Plan = build(archetypes()["studio"], PlanConfig(), np.random.default_rng(3))
     (lived,) = (other for other in studio.rooms if other.base == "living_room")
-    assert living.draw(studio, lived, never) == [living.WAYS[0].counts], "one may do without a screen there, too"
+    assert living.draw(studio, lived, never) == [living.NO_SCREEN.counts], "one may do without a screen there, too"
 
 
 @pytest.mark.parametrize("beds, wide, more", [(2, 6.0, True), (1, 6.0, False), (2, 4.6, False)])
