@@ -37,8 +37,8 @@ AHEAD = (0.05, 0.5)
 """So far before a sofa nothing stands that is no low table, m."""
 LEGS, ARM = 0.6, 0.08
 """So far before a seat are legs, and at either side is no seat but its arm, m."""
-KNEES = 0.25
-"""Between an armchair and a low table there are knees, m."""
+KNEES, ARMS = 0.25, 0.15
+"""Between an armchair and a low table there are knees, between two armchairs hands, m."""
 USED_AT = kinds.EASY | kinds.BEDS | kinds.DESKS | kinds.TABLE_TOPS | {"coffee_table"}
 """Where small seats are used."""
 Flags = NDArray[np.bool_]
@@ -205,7 +205,8 @@ def _knees(seen: Seen, hosts: Sequence[str]) -> Flags:
 
 
 def _abreast(seen: Seen, hosts: Sequence[str]) -> Flags:
-    return _leaves_open(seen, hosts) & _open_before(seen, hosts)
+    """Neither armchair is before the other, nor against it."""
+    return _leaves_open(seen, hosts) & _open_before(seen, hosts) & (seen.gap >= ARMS).all(1)
 
 
 def _not_behind(seen: Seen, hosts: Sequence[str]) -> Flags:

@@ -8,8 +8,6 @@ import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations import elbowroom, facing, gathered
-from apartgen.stages.layout.relations.fixtures import RAIL
-from apartgen.stages.layout.relations.hung import MIRROR, over
 from apartgen.stages.layout.relations.places import (
     OFF,
     Place,
@@ -17,11 +15,9 @@ from apartgen.stages.layout.relations.places import (
     about,
     all_over,
     along,
-    at_walls,
     likeliest,
     resized,
 )
-from apartgen.stages.layout.relations.sizes import Sizes, narrowest
 from apartgen.stages.layout.relations.standing import BEHIND, BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.things.categories import TABLE
@@ -50,7 +46,7 @@ LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), (kind
 SEATED = kinds.SOFAS | {gathered.SEAT}
 """What leaves a table that is still to come its place."""
 TINY, BOTH = 1e-6, 2
-"""Two who share a bed get out at either side, which leaves places of nightstands even where none is to come."""
+"""Two who share a bed get out at either side, whether or not nightstands are to come."""
 LATER = (
     (kinds.DOUBLE, kinds.WARDROBES, (0.6, 1.2, 2.1)),
     (kinds.BEDS - kinds.DOUBLE, kinds.WARDROBES, (0.6, 0.8, 2.1)),
@@ -58,17 +54,6 @@ LATER = (
     (kinds.TABLES, kinds.WARDROBES, (0.6, 1.2, 2.1)),
 )
 """What comes to some wall later on: a place for one of such a size, m, is left."""
-BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
-          *(("side_table", (wide, wide, 0.55)) for wide in (0.45, 0.38, 0.32)))
-"""What stands at the head of a bed, m, the best first: before a small table nobody has to stand to open it."""
-SMALL_DESK = (0.55, 0.9, 0.74)
-"""A desk for a small room, m."""
-RUG, RUGS = "rug", ((1.6, 2.3), (1.4, 2.0), (1.2, 1.7))
-"""Rugs as they are sold, m."""
-BELOW = tuple((0.0, aside, 0.0) for aside in (0.0, 0.2, -0.2, 0.4, -0.4))
-"""Where one lies below a low table, m from its middle: aside of a door that opens over it."""
-NARROW = (1.0, 0.8, 0.7)
-"""Wardrobes where one sleeps and none of two finds a place, m."""
 COMPACT = (2.03, 1.62)
 """A bed for a mattress of 1.6 by 2 m, m."""
 SCREEN, ENOUGH, NARROWER, PAST = "tv_stand", 1.2, 0.1, BEHIND - 0.02
@@ -211,46 +196,6 @@ def backed(name: str, box: Array, space: Space) -> Array:
     return np.asarray(tries[good.argmax()] if good.any() else box)
 
 
-def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tuple[str, Array]]:
-    """What does for something that found no place, the best first, and places (m, 7) for it: towels, mirrors and
-    wardrobes of another kind and narrow ones at all walls, armchairs about sofas, rugs below low tables, narrower
-    nightstands and small tables beside the heads of beds."""
-    kind = kinds.basic(name)
-    beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
-    if name == RAIL:
-        narrow = boxes.copy()
-        narrow[:, 4] = TABLE[name].min[1]
-        return [(name, at_walls(some, there.space)) for some in (boxes, narrow)]
-    if name == MIRROR:
-        above = over(name, boxes, there.names, there.boxes)
-        open_ = len(above) > 0 and bool((there.prices(name, above) < BROKEN).any())
-        return [] if open_ else [(name, at_walls(boxes, there.space))]
-    if kind == gathered.SEAT:
-        return [(name, gathered.places(there.names, there.boxes, likeliest(boxes)))]
-    if kind == RUG:
-        low = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) == LOW]
-        return [(name, np.concatenate([about(box, BELOW, (*size, likeliest(boxes)[2])) for box in low]))
-                for size in RUGS if low]
-    if kind in kinds.DESKS:
-        return [(name, along(there.space, size)) for size in (likeliest(boxes), SMALL_DESK)]
-    if kind in kinds.WARDROBES:
-        depth, _, height = likeliest(boxes)
-        slim = [("wardrobe", along(there.space, (depth, width, height))) for width in NARROW if beds]
-        return [(other, leading(other, _real(other, boxes), there.space, narrowest(large, other)))
-                for other in TABLE[name].instead] + slim
-    if kind != STAND or not beds:
-        return []
-    return [(other, np.concatenate([about(bed, _stands(kind, bed, size), size) for bed in beds]))
-            for other, size in BESIDE]
-
-
-def _real(name: str, boxes: Array) -> Array:
-    """Candidates (n, 7) as deep and wide as things of a name are at least and at most."""
-    found = boxes.copy()
-    found[:, 3:5] = np.clip(boxes[:, 3:5], TABLE[name].min[:2], TABLE[name].max[:2])
-    return found
-
-
 def known(name: str, boxes: Array, names: Sequence[str], there: Array) -> Array:
     """Places (m, 7) of what follows something that stands there, as large as another one of its name or as candidates
     (n, 7) are: exact, so that a seat at a table is not missed for want of a candidate."""
@@ -281,7 +226,8 @@ def _round(far: float, pairs: int) -> list[Place]:
     return [(far * float(np.cos(turn)), far * float(np.sin(turn)), turn + np.pi) for turn in turns]
 
 
-def _stands(kind: str, bed: Array, size: Size) -> list[Place]:
+def stands(kind: str, bed: Array, size: Size) -> list[Place]:
+    """At either side of a bed's head."""
     back, aside = OFF + (size[0] - float(bed[3])) / 2, float(bed[4]) / 2 + ASIDE + size[1] / 2
     return [(back, s * aside, 0.0) for s in (1.0, -1.0)]
 
@@ -297,4 +243,4 @@ def _low_table(kind: str, sofa: Array, size: Size) -> list[Place]:
     return [(far + BEFORE, 0.0, 0.0)]
 
 
-PLACES = {CHAIR: _chairs, STAND: _stands, SEAT: _seat, LOW: _low_table}
+PLACES = {CHAIR: _chairs, STAND: stands, SEAT: _seat, LOW: _low_table}

@@ -17,6 +17,7 @@ from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.astray import anywhere, somewhere
 from apartgen.stages.layout.relations.beds import narrower
 from apartgen.stages.layout.relations.dining import others
+from apartgen.stages.layout.relations.instead import alternatives
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
@@ -225,7 +226,7 @@ class Sampler:
 
     def _another(self, p: Particle, name: str, boxes: Array, left: Sequence[str]) -> tuple[str, Array] | None:
         """What serves as well where nothing but its own kind of it found no place, as a wardrobe with sliding doors."""
-        some = [] if self.room.asked[name] else followers.others(name, boxes, p.furniture, self.room.speaker.large)
+        some = [] if self.room.asked[name] else alternatives(name, boxes, p.furniture, self.room.speaker.large)
         for other, places in some:
             if (found := self._one_of(p.furniture, other, places, left)) is not None:
                 return other, found

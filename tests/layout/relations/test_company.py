@@ -243,6 +243,13 @@ def test_no_armchair_stands_between_another_one_and_the_low_table(y: float, yaw:
     assert not views.barred("armchair", second, ["coffee_table"], there[:1]).any()
 
 
+@pytest.mark.parametrize("gap, good", [(0.0, False), (0.14, False), (0.16, True), (0.6, True)])
+def test_two_armchairs_side_by_side_do_not_touch(gap: float, good: bool) -> None:
+    one = np.array([(0.0, 0.0, 0.0, 0.8, 0.8, 0.0, 0.85)])
+    other = np.array([(0.0, 0.8 + gap, 0.0, 0.8, 0.8, 0.0, 0.85)])
+    assert company.alone("armchair", other, ["armchair"], one).tolist() == [not good]
+
+
 @pytest.mark.parametrize("gap, kept", [(0.1, False), (0.24, False), (0.26, True), (0.5, True)])
 def test_knees_are_between_an_armchair_and_the_low_table(gap: float, kept: bool) -> None:
     seat = np.array([(0.0, 0.55 + gap + 0.4, -np.pi / 2, 0.8, 0.8, 0.0, 0.85)])
@@ -250,8 +257,8 @@ def test_knees_are_between_an_armchair_and_the_low_table(gap: float, kept: bool)
 
 
 @pytest.mark.parametrize("x, yaw, good", [
-    (0.85, -np.pi / 2, True),  # abreast, both looking south
-    (0.85, np.pi, False),      # looks at the other one's arm
+    (1.0, -np.pi / 2, True),  # abreast, both looking south
+    (1.0, np.pi, False),      # looks at the other one's arm
 ])
 def test_no_armchair_looks_at_the_arm_of_another(x: float, yaw: float, good: bool) -> None:
     one, two = ((at, 0.0, turn, 0.8, 0.8, 0.0, 0.85) for at, turn in ((0.0, -np.pi / 2), (x, yaw)))

@@ -5,7 +5,7 @@ import pytest
 from rooms_for_tests import box, room, some_rooms
 
 from apartgen.stages.layout.projection.space import space_of
-from apartgen.stages.layout.relations import followers, handy, sizes
+from apartgen.stages.layout.relations import followers, handy, instead, sizes
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.rooms import KINDS, Rooms
 
@@ -218,8 +218,8 @@ def test_a_sofa_leaves_a_wall_before_it_to_the_television(width: float, fits: bo
 
 def test_what_comes_beside_a_bed_is_tried_from_wide_to_narrow() -> None:
     """The narrowest of each kind still holds a lamp, .3 m."""
-    for kind in {name for name, _ in followers.BESIDE}:
-        wide = [size[1] for name, size in followers.BESIDE if name == kind]
+    for kind in {name for name, _ in instead.BESIDE}:
+        wide = [size[1] for name, size in instead.BESIDE if name == kind]
         assert wide == sorted(set(wide), reverse=True) and wide[-1] > 0.3
 
 
@@ -232,7 +232,7 @@ def test_where_nobody_opens_a_nightstand_a_small_table_stands_beside_the_bed() -
     usual = followers.known("nightstand", said, there.names, there.boxes)
     east = usual[usual[:, 0] > bed[0]]
     assert there.prices("nightstand", east).min() >= BROKEN or there.shuts("nightstand", east[0]) >= CUT
-    good = [place for name, places in followers.others("nightstand", said, there, {}) for place in places
+    good = [place for name, places in instead.alternatives("nightstand", said, there, {}) for place in places
             if place[0] > bed[0] and there.prices(name, place[None], strict=True)[0] < BROKEN
             and there.shuts(name, place) < CUT]
     assert good
@@ -265,7 +265,7 @@ def test_mirrors_are_looked_for_along_all_walls_unless_there_is_what_they_hang_o
     assert np.allclose(places[:, 3:], said[0, 3:]) and np.allclose(np.abs(places[:, :2]).max(1), 2 - 0.02, atol=0.02)
     for over in ("vanity", "dressing_table"):
         assert not len(handy.places("mirror", said, [over], said[:1], there.space))
-    (name, found), = followers.others("mirror", said, there, {})  # as where a window is above the basin
+    (name, found), = instead.alternatives("mirror", said, there, {})  # as where a window is above the basin
     assert name == "mirror" and np.array_equal(found, places)
 
 
@@ -328,7 +328,7 @@ def test_where_one_sleeps_a_narrow_wardrobe_is_better_than_none() -> None:
         there = room()
         for name in names:
             there.add(name, box(BED, 0, 0.98, -np.pi / 2))
-        found = [places[:, 4] for _, places in followers.others("wardrobe", said, there, {}) if len(places)]
+        found = [places[:, 4] for _, places in instead.alternatives("wardrobe", said, there, {}) if len(places)]
         assert any((width <= 1.0).all() for width in found) == narrow
         assert all((width >= 0.7).all() for width in found)
 
@@ -337,7 +337,7 @@ def test_sliding_doors_instead_of_others_are_as_wide_as_they_are_made() -> None:
     """Nothing narrower than 1.2 m and shallower than .55 m has them; where they fit, they are as wide as was said."""
     for width, wanted in (0.7, 1.2), (1.5, 1.5):
         said = np.tile(box((0.45, width, 2.0), 0, 0), (3, 1))
-        (sliding,) = (places for name, places in followers.others("wardrobe", said, room(), {})
+        (sliding,) = (places for name, places in instead.alternatives("wardrobe", said, room(), {})
                       if name == "sliding_wardrobe")
         assert len(sliding) and sliding[:, 4].tolist() == pytest.approx([wanted] * len(sliding))
         assert (sliding[:, 3] >= 0.55 - 1e-6).all()
@@ -353,13 +353,25 @@ def test_a_table_leaves_the_wardrobe_its_wall(depth: float, fits: bool) -> None:
     assert followers.fit(there, "dining_table", table, []) == 1
 
 
+def test_before_a_sofa_a_small_low_table_stands_where_a_usual_one_finds_no_place() -> None:
+    """The largest first, on the sofa's axis, its edge a walk's width before the seat."""
+    there, said = room(4.0, 5.0), box((0.8, 1.3, 0.42), 1.0, 1.0)[None]
+    assert not any(len(places) for _, places in instead.alternatives("coffee_table", said, there, {}))
+    there.add("sofa", box((0.9, 2.0, 0.8), -1.54, 0.3))
+    found = [places for _, places in instead.alternatives("coffee_table", said, there, {})]
+    assert [tuple(places[0, 3:5].round(2)) for places in found] == [(0.5, 0.9), (0.45, 0.6)]
+    for places in found:
+        assert np.allclose(places[:, 0] - places[:, 3] / 2, -1.54 + 0.45 + followers.BEFORE, atol=1e-3)
+        assert np.allclose(places[:, 1], 0.3, atol=1e-3)
+
+
 def test_below_a_low_table_there_is_a_rug_for_every_room() -> None:
     """All lie below all of it, as thick as the candidates; without a table there is none."""
     said, there = np.array([[0, 0, 0, 2.0, 3.0, 0, 0.006]] * 3, np.float32), room()
-    assert not followers.others("rug", said, there, {})
+    assert not instead.alternatives("rug", said, there, {})
     low = box((0.6, 1.1, 0.42), 0.5, 0.2, np.pi / 2)
     there.add("coffee_table", low)
-    found = followers.others("rug", said, there, {})
+    found = instead.alternatives("rug", said, there, {})
     assert [places[0, 3] for _, places in found] == pytest.approx([1.6, 1.4, 1.2])
     for _, places in found:
         assert np.allclose(places[:, 2], low[2]) and np.allclose(places[:, 5:], [0, 0.006])

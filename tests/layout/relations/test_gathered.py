@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from rooms_for_tests import box, room
 
-from apartgen.stages.layout.relations import followers
+from apartgen.stages.layout.relations import followers, instead
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 
 SOFA, LOW, STAND, CHAIR = (0.9, 2.0, 0.8), (0.6, 1.1, 0.42), (0.4, 1.6, 0.5), (0.82, 0.78, 0.85)
@@ -42,7 +42,7 @@ def test_a_second_armchair_is_as_large_as_the_first() -> None:
     there.add("armchair", box((0.9, 0.8, 0.85), 1.1, 1.4, -np.pi / 2))
     found = followers.known("armchair", box(CHAIR, 3.0, 3.0)[None], there.names, there.boxes)
     assert np.allclose(found[:, 3:5], (0.9, 0.8))
-    assert followers.others("armchair", box(CHAIR, 3.0, 3.0)[None], there, {})[0][0] == "armchair"
+    assert instead.alternatives("armchair", box(CHAIR, 3.0, 3.0)[None], there, {})[0][0] == "armchair"
 
 
 def test_without_a_sofa_no_armchair_has_a_place_that_is_known() -> None:

@@ -227,7 +227,7 @@ def test_a_home_washes_its_clothes_and_two_have_length_for_theirs() -> None:
 def test_where_a_home_has_no_hall_coats_hang_where_one_enters() -> None:
     """Nobody asked."""
     near = []
-    for seed in range(6):
+    for seed in range(10):
         plan = apartgen.plan("studio", seed=seed).body
         door = next(o for o in plan.openings if o.kind == "entrance")
         room = next(room for room in plan.rooms if room.id in door.rooms)
@@ -237,7 +237,7 @@ def test_where_a_home_has_no_hall_coats_hang_where_one_enters() -> None:
             near.append(len(racks) == 1 and np.hypot(*(np.array(racks[0].center[:2]) - np.mean(door.segment, 0))) < 4)
         else:
             assert room.base == "hallway" and len(racks) <= 1
-    assert len(near) >= 4 and np.mean(near) > 0.5
+    assert len(near) >= 7 and np.mean(near) > 0.5
 
 
 def test_nobody_hangs_coats_twice_or_where_all_is_counted() -> None:
