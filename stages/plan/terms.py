@@ -69,6 +69,8 @@ ALONE, RISER = 5.0, 1.0
 """What counts against a bathroom with less wall than this on the outline, m, where the risers are."""
 BLIND = 1.5
 """What a metre of hallway counts that leads nowhere, against one that it is wider than it need be."""
+OUTGROWN = 6.0
+"""What counts, as a room that is too large, against a bedroom that is larger than the main one."""
 CERTAIN = 1e-9
 """Part by which a sum must be above a bar for its terms to be above it in any order."""
 
@@ -99,8 +101,22 @@ def _shape(p: Problem, z: Scratch, bar: float) -> bool:
         cost = least + weights[AREA] * area + weights[ASPECT] * form + weights[CONVEX] * convex
         if cost + weights[WIDE] * wide + LACK * lacking > bar + CERTAIN * bar:
             return True
-    terms[AREA], terms[ASPECT], terms[CONVEX], terms[WIDE], terms[LACKING] = area, form, convex, wide, lacking
+    terms[AREA] = area + OUTGROWN * _outgrown(p, z)
+    terms[ASPECT], terms[CONVEX], terms[WIDE], terms[LACKING] = form, convex, wide, lacking
     return False
+
+
+@inner
+def _outgrown(p: Problem, z: Scratch) -> float:  # of the largest bedroom wanted, what another one is larger
+    main, most = -1, 0.0
+    for r in range(p.spec.shape[0]):
+        if p.spec[r, S_PRIVATE] > 0 and p.spec[r, S_TARGET] > most:
+            main, most = r, p.spec[r, S_TARGET]
+    other = 0.0
+    for r in range(p.spec.shape[0]):
+        if p.spec[r, S_PRIVATE] > 0 and p.spec[r, S_TARGET] < most:
+            other = max(other, z.room[r, R_AREA])
+    return max(0.0, other / (z.room[main, R_AREA] + 0.01) - 1) if main >= 0 else 0.0
 
 
 @inner
