@@ -16,6 +16,7 @@ from apartgen.schemas.errors import Unmet
 from apartgen.schemas.plan import Envelope, Plan, Program, Room
 from apartgen.stages.plan import doors, kernel, windows
 from apartgen.stages.plan.balconies import hang, indoors
+from apartgen.stages.plan.bettered import bettered
 from apartgen.stages.plan.blocks import Outline, given, gross
 from apartgen.stages.plan.check import check
 from apartgen.stages.plan.config import PlanConfig
@@ -27,7 +28,7 @@ from apartgen.stages.plan.outline import draw, ring
 from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, open_problem, scratch, whim, within
 from apartgen.stages.plan.rehung import rehung
 from apartgen.stages.plan.relax import ladder
-from apartgen.stages.plan.slicing import EPS, Floats, Ints, Problem
+from apartgen.stages.plan.slicing import EPS, LACKING, Floats, Ints, Problem
 from apartgen.stages.plan.starts import Known, known, start
 from apartgen.stages.plan.turn import askew, turned, turned_plan
 
@@ -35,7 +36,7 @@ HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""
 SPREAD = 6.0
 """Difference of cost up to which one arrangement is as good as another."""
-CHOICE = 24
+CHOICE = 48
 """Rooms in all the arrangements to choose from: one of a large flat is as good as several of a small one."""
 BEYOND = 5.0
 TRIED = 72
@@ -87,7 +88,10 @@ def anneal(of: Whole, config: PlanConfig, rng: Generator) -> Run:
     new, best = copy(tree), copy(tree)
     z = scratch(p, sum(wanted.parts))
     seed = rng.integers(1, 2**63, 1).astype(np.uint64)
-    cost = kernel.anneal(p, tree, new, best, z, seed, config.proposals * sum(wanted.parts), HOT, COLD)
+    steps = config.proposals * sum(wanted.parts)
+    cost = kernel.anneal(p, tree, new, best, z, seed, steps, HOT, COLD)
+    if z.terms[LACKING] < EPS:
+        best, cost = bettered(best, float(cost), p, z, seed, steps)
     lack = float(z.terms[-1])
     missed = partial(lacks, program, p, z)
     leaves = len(best.share) - 1

@@ -1,4 +1,4 @@
-"""Trees that annealing starts from: random ones, and rooms in two rows along a corridor."""
+"""Trees that annealing starts from: random ones, and rooms in two rows along a corridor and across its end."""
 
 from collections.abc import Sequence
 from itertools import accumulate, islice
@@ -16,6 +16,8 @@ HUB = 4
 """Doors from which a hallway is a corridor between two rows of rooms."""
 ROWS = 0.7
 """Share of runs that start from such rows where there is a corridor."""
+CAPPED = 0.5
+"""Share of these in which rooms lie across the corridor's end, so that it need not go on along them to the outline."""
 
 
 class Known(NamedTuple):
@@ -95,21 +97,28 @@ def _hub(program: Program) -> int | None:
 def _two_rows(
     program: Known, hub: int, parts: tuple[int, ...], share: Floats, grown: _Growing, rng: Generator
 ) -> None:
-    """Rooms of the corridor in two rows of about the same area, each with what opens off it beside it."""
+    """Rooms of the corridor in two rows of about the same area, each with what opens off it; some across an end."""
     upright = int(rng.integers(2))
     ends = list(accumulate(parts, initial=0))
     rows: tuple[list[int], list[int]] = ([], [])
-    for which in rng.permutation(len(program.suites)):
-        leaves = [leaf for room in program.suites[which] for leaf in range(ends[room], ends[room + 1])]
+    order = [[leaf for room in program.suites[which] for leaf in range(ends[room], ends[room + 1])]
+             for which in rng.permutation(len(program.suites))]
+    cap = order.pop() if len(order) >= HUB and rng.random() < CAPPED else []
+    for leaves in order:
         rows[_sum(share, rows[1]) < _sum(share, rows[0])].extend(leaves)
     corridor, *stubs = range(ends[hub], ends[hub + 1])
     for stub in stubs:
         row = rows[int(rng.integers(2))]
         row.insert(int(rng.integers(len(row) + 1)), stub)
     lines = [grown.row(row, upright, rng) for row in rows if row]
-    below = grown.cut(corridor, lines[-1], 1 - upright)
-    if len(lines) > 1:
-        grown.cut(lines[0], below, 1 - upright)
+    body = grown.cut(corridor, lines[-1], 1 - upright)
+    end, both = (grown.row(cap, 1 - upright, rng), bool(rng.integers(2))) if cap else (-1, False)
+    for whole in (False, True):  # across the corridor and one row, or across both
+        if whole and len(lines) > 1:
+            body = grown.cut(lines[0], body, 1 - upright)
+        if cap and whole == both:
+            first, second = (end, body) if rng.random() < 0.5 else (body, end)
+            body = grown.cut(first, second, upright)
 
 
 def _sum(share: Floats, row: list[int]) -> float:

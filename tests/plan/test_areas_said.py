@@ -77,7 +77,7 @@ def test_an_area_is_met_within_a_twentieth(value: str, met: bool) -> None:
 def test_rooms_are_as_large_as_was_said(prompt: str) -> None:
     program, off = read(prompt), []
     said = {r.of: float(r.value or 0) for r in program.requirements if r.kind == "area"}
-    for seed in range(4):
+    for seed in range(10):
         plan = build(program, PlanConfig(), np.random.default_rng(seed))
         assert validate(plan) == []
         floors = {room.id: Polygon(room.polygon).area for room in plan.rooms}
@@ -85,4 +85,4 @@ def test_rooms_are_as_large_as_was_said(prompt: str) -> None:
         assert {r.of: r.met for r in plan.program.requirements} == near
         off += [room for room, is_near in near.items() if not is_near]
         assert sum(floors.values()) == pytest.approx(sum(room.area or 0 for room in program.rooms), rel=0.02)
-    assert len(off) <= 0.1 * 4 * len(said), off
+    assert len(off) <= 0.1 * 10 * len(said), off

@@ -9,6 +9,7 @@ from apartgen.stages.plan.blocks import given
 from apartgen.stages.plan.outline import draw
 from apartgen.stages.plan.problem import WHIM, Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
 from apartgen.stages.plan.slicing import (
+    AREA,
     ASPECT,
     CONCISE,
     LACKING,
@@ -25,7 +26,7 @@ from apartgen.stages.plan.slicing import (
 )
 from apartgen.stages.plan.starts import known, start
 from apartgen.stages.plan.study import archetypes
-from apartgen.stages.plan.terms import BLIND
+from apartgen.stages.plan.terms import BLIND, BROADER
 
 BARE = Walls(inner=0.1, outer=0.3)
 
@@ -69,7 +70,7 @@ def corridor(cuts: list[list[int]], shares: list[float]) -> Floats:
 
 def test_a_corridor_is_as_wide_as_its_rectangles_are_together() -> None:
     together = corridor([[0, 1, 1], [3, 2, 1]], [1.0, 1.0, 10.0])  # two of .9 x 2.9 m, side by side
-    assert together[WIDE] == pytest.approx(1.9 - 1.3)
+    assert together[WIDE] == pytest.approx(BROADER * (1.9 - 1.3))
     apart = corridor([[1, 2, 1], [0, 3, 0]], [12.0, 2.0, 22.0])  # .9 m all along, and a stub of .9 x 1.9 m
     # one comes in across from the living room, at 6.5 m, and its door need not be farther; nothing opens off the stub
     assert apart[WIDE] == pytest.approx(0.25 * (11.9 - 9) + BLIND * (12 - 6.5 - 0.65 + 2 - 1.2))
@@ -87,6 +88,14 @@ def test_a_corridor_counts_where_it_leads_nowhere(ends: list[int], blind: float)
     nodes = np.array([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [1, 2, 1], ends, [5, 4, 0], [6, 0, 0]])
     terms = energy(p, Tree(nodes, np.array([10.5, 18.0, 6.0, 1.5, 1.0])))[1]
     assert terms[WIDE] == pytest.approx(0.25 * (10.4 - 9) + BLIND * blind)
+
+
+@pytest.mark.parametrize(("hall", "counts"), [(4.0, 0.0), (8.0, 0.5)])
+def test_a_hallway_costs_nothing_for_floor_that_rooms_have_instead(hall: float, counts: float) -> None:
+    floors = np.array([2.9 * (hall - 0.1), 2.9 * (12 - hall - 0.1)])  # 10 m² of each were thought of
+    ratio, other = (floors + 0.01) * 20 / (10 * floors.sum() + 0.01)
+    terms = corridor([[0, 1, 1], [3, 2, 1]], [hall / 2, hall / 2, 12 - hall])
+    assert terms[AREA] == pytest.approx(counts * (ratio - 1) + max(other, 1 / other) - 1, abs=1e-3)
 
 
 def test_a_bent_corridor_has_as_many_corners_too_many_as_any_bent_room() -> None:
