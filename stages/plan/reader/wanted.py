@@ -22,6 +22,9 @@ GUESTS = 62.0
 """Area from which a couple may have a second bedroom, m²."""
 
 
+ROOM, ROOM_OUTSIDE = 1.08, 1.2
+"""Rooms may want so much more than the area stated when another one is drawn, or the first balcony, which most homes of
+any size have."""
 UNKNOWN = 8.0
 """Area of a room of a type that not everybody knows, m²."""
 
@@ -107,9 +110,8 @@ def _fits(said: Said, home: Household, name: str) -> bool:
         return False
     if said.total_area is None:
         return True
-    return (
-        size(home) + _typical(_kind(name), {Trait.HALF} if name == "half_bath" else set(), 1) <= 1.08 * said.total_area
-    )
+    more = _typical(_kind(name), {Trait.HALF} if name == "half_bath" else set(), 1)
+    return size(home) + more <= (ROOM_OUTSIDE if name == "balcony" else ROOM) * said.total_area
 
 
 def _fill(said: Said, home: Household, limit: float) -> None:
