@@ -24,9 +24,6 @@ ON_IT = 0.15
 """Nearer to its middle, m, something above the floor is on it, or hangs over it."""
 ACROSS = -0.9
 """What looks back at one does within this cosine."""
-BARRING = kinds.TABLES | kinds.CHAIRS
-SIGHT = 0.3
-"""So far to either side of the axis between seat and screen one looks, m."""
 
 
 def places(name: str, boxes: Array, names: Sequence[str], there: Array, space: Space) -> Array:
@@ -42,10 +39,8 @@ def places(name: str, boxes: Array, names: Sequence[str], there: Array, space: S
 
 def price(there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array:
     """Of candidates (n, 7) for it, or for the sofa before it is put there: what they are beside the axis of who
-    watches; of tables and their chairs: what they take of the view, (n,)."""
+    watches, (n,)."""
     aside = np.zeros(len(boxes))
-    if kinds.basic(name) in BARRING:
-        return EACH * np.clip(_in_sight(there, boxes), 0.0, MOST)
     if kinds.basic(name) == SCREEN and len(seats := _watching(there.names, there.boxes)):
         aside = np.abs(Seen(boxes, seats[:1]).to[:, 0, 1])
     elif kinds.basic(name) in kinds.SOFAS and SCREEN in map(kinds.basic, left) and len(shown := _shown(there)):
@@ -74,21 +69,6 @@ def watched(there: Furniture, fixed: int, empty: Callable[[], Furniture], asked:
     for k in (k for k in range(len(names)) if k < fixed or not (k in unseen or on[k])):
         rest.add(there.names[k], there.boxes[k])
     return rest
-
-
-def _in_sight(there: Furniture, boxes: Array) -> Array:
-    """How far candidates (n, 7) are in the view of the first who watches the first screen, (n,), m."""
-    seats = _watching(there.names, there.boxes)[:1]
-    screens = there.boxes[[kinds.basic(o) == SCREEN for o in there.names]][:1] if len(seats) else seats
-    if not len(screens):
-        return np.zeros(len(boxes))
-    way = screens[0, :2].astype(float) - seats[0, :2]
-    axis = np.array([*seats[0, :2], 0.0, seats[0, 3], 2 * SIGHT, 0.0, 1.0])
-    axis[2] = np.arctan2(way[1], way[0])
-    seen = Seen(axis[None], boxes)
-    (x, y), (along, across) = seen.at[0].T, seen.extent[0].T
-    between = (x + along > float(seats[0, 3]) / 2) & (x - along < np.hypot(*way) - float(screens[0, 3]) / 2)
-    return np.where(between, np.maximum(across + SIGHT - np.abs(y), 0.0), 0.0)
 
 
 def _shown(there: Furniture) -> Array:

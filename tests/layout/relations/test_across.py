@@ -53,18 +53,6 @@ def test_a_sofa_costs_what_the_wall_across_has_no_place_for_a_screen() -> None:
     assert not across.price(there, "sofa", rows, ["plant"]).any(), "where none is to come"
 
 
-@pytest.mark.parametrize("name", ["dining_table", "round_table", "chair"])
-def test_a_table_costs_what_it_takes_of_the_view_of_the_screen(name: str) -> None:
-    there, size = room(4.0, 5.0), (0.8, 0.8, 0.75)
-    there.add("sofa", box(SOFA, -1.54, 0.5))
-    rows = np.stack([box(size, 0.3, 0.5), box(size, 0.3, 1.0), box(size, 0.3, 1.3), box(size, -1.54, 2.0)])
-    assert not across.price(there, name, rows, []).any(), "without a screen"
-    there.add("tv_stand", box(STAND, 1.79, 0.5, np.pi))
-    cost = across.price(there, name, rows, [])
-    assert cost[0] > cost[1] > 0 and not cost[2:].any()
-    assert not across.price(there, "coffee_table", rows, []).any(), "one sees over it"
-
-
 @pytest.mark.parametrize(("at", "fixed", "asked", "others", "left"), [
     ((-1.54, 0.0, 0.0), 0, {}, [], True),  # the bed looks at it
     ((0.0, -1.4, np.pi / 2), 0, {}, [], False), ((0.0, -1.4, np.pi / 2), 2, {}, [], True),
