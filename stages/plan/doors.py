@@ -13,7 +13,7 @@ from shapely.geometry import Polygon
 from apartgen.schemas.base import RoomType
 from apartgen.schemas.errors import Unmet
 from apartgen.schemas.plan import Opening, Program, Walls
-from apartgen.stages.plan import faces, leading
+from apartgen.stages.plan import faces, leading, unwalled
 from apartgen.stages.plan.blocks import entrance_sides, facing
 from apartgen.stages.plan.check import entrance_room, links, neighbours
 from apartgen.stages.plan.faces import Face
@@ -28,8 +28,6 @@ ENTRANCE = 0.95
 APPROACHES = ((0.7, 0.7), (0.35, 0.55), (0.12, 0.55), (0.12, 0.12))
 """Depths of floor before a door, m, over which no other leaf turns, and in which none stands open; the next where the
 one before cannot be had."""
-WIDEST = 3.2
-"""Widest opening between open-plan rooms, m."""
 BARS, PASSED = 8.0, 0.32
 """Cost of a leaf that, standing open, cuts the hallway it opens into; half the width one passes by it and its lever
 in, m."""
@@ -68,7 +66,9 @@ def _columns(program: Program, floors: Floors, walls: Walls, deep: Depths) -> li
         found = faces.between(floors[a], floors[b])
         if frozenset((a, b)) in open_links:
             wide = [face for face in found[:1] if face.length >= LINK_WALL]
-            columns.append(Column("opening", [a, b], [_wide(face, deep) for face in wide], OPEN_HEAD))
+            ends = [unwalled.span(face, *_cooked_in(program, floors, (a, b))) for face in wide]
+            choices = [_unwalled(face, *span, deep) for face, span in zip(wide, ends, strict=True)]
+            columns.append(Column("opening", [a, b], choices, OPEN_HEAD))
         else:
             head = GLAZED_HEAD if "balcony" in (types[a], types[b]) else HEAD
             choices = _doors(a, b, found, floors, types, deep)
@@ -102,11 +102,16 @@ def _built(column: Column, choice: Choice, number: int) -> Opening:
     )
 
 
-def _wide(face: Face, deep: Depths) -> Choice:
-    clear = min(face.length - 2 * FRAME, WIDEST)
-    lo = 0.5 * (face.length - clear)
-    front, way = (_fronts(face, lo, lo + clear, depth) for depth in deep)
-    return Choice(face, lo, lo + clear, 0, None, 0.0, NOWHERE, NOWHERE, front, way)
+def _cooked_in(program: Program, floors: Floors, pair: tuple[str, str]) -> tuple[Polygon | None, shapely.Geometry]:
+    """The kitchen of two rooms, and the floors that doors lead to from it."""
+    kitchen = next((room.id for room in program.rooms if room.id in pair and room.base == "kitchen"), None)
+    behind = [floors[one] for link in links(program) if kitchen in link for one in link if one not in pair]
+    return None if kitchen is None else floors[kitchen], shapely.union_all(behind)
+
+
+def _unwalled(face: Face, lo: float, hi: float, deep: Depths) -> Choice:
+    front, way = (_fronts(face, lo, hi, depth) for depth in deep)
+    return Choice(face, lo, hi, 0, None, 0.0, NOWHERE, NOWHERE, front, way)
 
 
 def _box(face: Face, lo: float, hi: float, near: float, far: float) -> Box:

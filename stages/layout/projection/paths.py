@@ -18,7 +18,8 @@ from apartgen.stages.space.boxes import Boxes
 RADII = {0.16: 12.0, 0.27: 8.0}
 """Radius of who walks, m: that of the usual metric (0.15) and that of a common robot (0.25), which goes round open
 doors, each with room for the raster's error; and how many metres of shifting it is worth that no floor is cut off."""
-WALKERS = Walkers(np.array(list(RADII)), np.array(list(RADII.values())))
+IN_HALLS = {0.16: 12.0, 0.36: 8.0}
+"""The same where all go past one another: .7 m is left between what stands at both walls."""
 BESIDE = 0.16
 """Radius of who is to get beside every object, m."""
 UNREACHED = 0.8
@@ -45,10 +46,11 @@ SHUT_ALL: Mapping[int, float] = {}
 class Paths:
     """How many obstacles keep each walker off each cell of a room, (radii, rows, columns), and what stands there."""
 
-    def __init__(self, room: Standing, space: Space) -> None:
+    def __init__(self, room: Standing, space: Space, radii: Mapping[float, float] = RADII) -> None:
+        self.walkers = Walkers(np.array(list(radii)), np.array(list(radii.values())))
         floor = shapely.Polygon(space.corners)
         self.cells = grid.over(floor)
-        self.inner = np.stack([grid.raster(floor.buffer(-r, join_style="mitre"), self.cells) for r in RADII])
+        self.inner = np.stack([grid.raster(floor.buffer(-r, join_style="mitre"), self.cells) for r in radii])
         self.count = np.zeros(self.inner.shape, np.int16)
         self.bodies: dict[int, Boxes] = {}
         self.rows: dict[int, Row] = {}
@@ -59,13 +61,13 @@ class Paths:
         column, row = np.clip((before / self.cells.resolution).astype(int), 0, np.array(self.cells.shape[::-1]) - 1).T
         # A door before which a walker has no room, whatever stands there, is nobody's fault.
         self.doors = []
-        for r, inner in zip(RADII, self.inner, strict=True):
+        for r, inner in zip(radii, self.inner, strict=True):
             if r > BESIDE:
                 inner &= grid.near(space.leaves, self.cells, r) == 0
             usable = inner[row, column]
             self.doors.append((row[usable], column[usable]))
         rows, columns = (np.concatenate(part) for part in zip(*self.doors, strict=True))
-        self.door_cells = Doors(rows, columns, np.repeat(np.arange(len(RADII)), [len(rows) for rows, _ in self.doors]))
+        self.door_cells = Doors(rows, columns, np.repeat(np.arange(len(radii)), [len(rows) for rows, _ in self.doors]))
         self.prices = Prices(SLIVER, DOOR, UNREACHED, self._beside, *BEFORE)
 
     @cached_property
@@ -83,13 +85,13 @@ class Paths:
     def add(self, k: int, box: Boxes, opens: float = SHUT) -> None:
         """Object `k` stands there from now on, and opens so far, m, where the common robot is to use it."""
         self.bodies[k], self.rows[k], self.known = box, _row(box, opens), {}
-        kernels_floor.shade(self.count, np.array(self.rows[k]), WALKERS.radii, 1, self.raster)
+        kernels_floor.shade(self.count, np.array(self.rows[k]), self.walkers.radii, 1, self.raster)
 
     def remove(self, k: int) -> None:
         """Object `k` is gone."""
         del self.bodies[k]
         self.known = {}
-        kernels_floor.shade(self.count, np.array(self.rows.pop(k)), WALKERS.radii, -1, self.raster)
+        kernels_floor.shade(self.count, np.array(self.rows.pop(k)), self.walkers.radii, -1, self.raster)
 
     def parts(self, which: int) -> tuple[grid.Labels, NDArray[np.int64], int]:
         """Parts of the floor for the walker of a radius, their sizes, and the one with most doors' floor, 0 without
@@ -112,7 +114,7 @@ class Paths:
         what = tuple(more), limit
         if what not in self.known:
             rows = np.array([*self.rows.values(), *more]).reshape(-1, 6)
-            self.known[what] = kernels_floor.cut_off(self.inner, self.count, WALKERS, rows, rows[len(self.rows) :],
+            self.known[what] = kernels_floor.cut_off(self.inner, self.count, self.walkers, rows, rows[len(self.rows) :],
                                                      self.door_cells, self.raster, self.prices, limit)
         return self.known[what]
 
@@ -136,7 +138,7 @@ class Paths:
         """Tells whether an object lies between two parts of the floor, shuts a door in, or is out of reach or near
         what is."""
         found = []
-        for r in range(len(RADII)):
+        for r in range(len(self.walkers.radii)):
             labels, sizes, _ = self.parts(r)
             found.append(np.where((sizes > SLIVER * sizes.sum())[labels], labels, 0))
         blocked = any((labels[at] == 0).any() for at, labels in zip(self.doors, found, strict=True))
@@ -150,7 +152,7 @@ class Paths:
         def borders(k: int) -> bool:
             if blocked or k in lost:
                 return True
-            for r, labels in zip(RADII, found, strict=True):
+            for r, labels in zip(self.walkers.radii.tolist(), found, strict=True):
                 window, beside = grid.shade(self.bodies[k], self.cells, r + 1.5 * self.cells.resolution)
                 touched = np.unique(labels[window][beside > 0])
                 if (touched > 0).sum() > 1:

@@ -1,6 +1,6 @@
 """What stands in a room so far, and what a candidate for the next object would break: φ of Eq. 2 to 4, exactly."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache, lru_cache
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import kernels
-from apartgen.stages.layout.projection.paths import SHUT, Paths
+from apartgen.stages.layout.projection.paths import RADII, SHUT, Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
 from apartgen.stages.layout.relations import (
@@ -82,12 +82,12 @@ def tuck(a: str, b: str) -> float:
 class Furniture:
     """The objects of a room that has begun to be furnished, and the free floor between them."""
 
-    def __init__(self, space: Space) -> None:
+    def __init__(self, space: Space, radii: Mapping[float, float] = RADII) -> None:
         self.space = space
         self.names: list[str] = []
         self.boxes: Array = np.zeros((0, 7), np.float32)
         self.far: tuple[float, ...] = ()
-        self.paths = Paths(Standing([]), replace(space, leaves=with_levers(space.leaves)))
+        self.paths = Paths(Standing([]), replace(space, leaves=with_levers(space.leaves)), radii)
         self._cut: float | None = None
         self._stood: tuple[Boxes, Boxes] | None = None
 
@@ -170,7 +170,7 @@ class Furniture:
         total += np.where(self._meets_leaves(name, found), 2 * BROKEN if strict else ALONE, 0.0)
         useless = 2 * BROKEN if strict or (company.follows(name) and not loose) else ALONE
         total += np.where(company.alone(name, boxes, self.names, self.boxes), useless, 0.0)
-        barred = views.barred(name, boxes, self.names, self.boxes)
+        barred = views.barred(name, boxes, self.names, self.boxes, self.space.leaves)
         barred |= nooks.shut(name, boxes, self.names, self.boxes, self.space)
         total += np.where(barred, ALONE if loose else 2 * BROKEN, 0.0)
         cramped = elbowroom.taken(name, boxes, self.names, self.boxes, self.space)

@@ -7,19 +7,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.space.boxes import Boxes, of
 from apartgen.stages.use import kinds
 
 VIEWS = ((kinds.SOFAS, frozenset({"tv_stand"}), kinds.TABLES),
          (frozenset({"armchair"}), frozenset({"coffee_table"}), frozenset({"armchair"})))
 """Who looks, at what, and what must not stand between."""
 TINY = 1e-9
+NONE = of(())
 Flags = NDArray[np.bool_]
 
 
-def barred(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
+def barred(name: str, boxes: Array, names: Sequence[str], there: Array, leaves: Boxes = NONE) -> Flags:
     """Which candidates (n, 7) make a table stand between a sofa and its television, or an armchair between another one
-    and the low table, whichever of these they are."""
+    and the low table, whichever of these they are; or are armchairs that a door that stands open parts from it."""
     kind, found = kinds.basic(name), np.zeros(len(boxes), bool)
+    if kind == "armchair" and leaves.n:
+        doors = np.column_stack([leaves.center[:, :2], leaves.yaw, leaves.size[:, :2]])
+        tables = [box for o, box in zip(names, there, strict=True) if kinds.basic(o) == "coffee_table"]
+        for table, door in product(tables, doors):
+            found |= crossed(boxes, table[None], door[None])
     views = [view for view in VIEWS if any(kind in some for some in view)]
     others = [kinds.basic(o) for o in names] if views else []
     for view in views:

@@ -8,6 +8,7 @@ from rooms_for_tests import box
 from apartgen.schemas.layout import Box
 from apartgen.stages import use
 from apartgen.stages.layout.relations import company, views
+from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.categories import TABLE
 
 HOSTS = {
@@ -241,6 +242,17 @@ def test_no_armchair_stands_between_another_one_and_the_low_table(y: float, yaw:
     front = np.array([things["armchair"]])
     assert views.barred("armchair", front, list(things), np.concatenate([there[:1], second])).tolist() == [bars]
     assert not views.barred("armchair", second, ["coffee_table"], there[:1]).any()
+
+
+@pytest.mark.parametrize(("x", "behind"), [(0.5, True), (-0.9, False)])
+def test_no_armchair_stands_behind_a_door_that_opens_towards_its_group(x: float, behind: bool) -> None:
+    """The leaf lies along x at y = .8, its hinge at x = 1."""
+    leaf = Boxes(np.array([[0.6, 0.8, 1.0]]), np.array([[0.8, 0.04, 2.1]]), np.zeros(1))
+    seat = np.array([(x, 1.35, -np.pi / 2, 0.8, 0.8, 0.0, 0.85)])
+    there = np.array([(0.0, 0.0, 0.0, 0.6, 1.1, 0.0, 0.4)])
+    assert views.barred("armchair", seat, ["coffee_table"], there, leaf).tolist() == [behind]
+    assert not views.barred("armchair", seat, ["coffee_table"], there).any()
+    assert not views.barred("plant", seat, ["coffee_table"], there, leaf).any()
 
 
 @pytest.mark.parametrize("gap, good", [(0.0, False), (0.14, False), (0.16, True), (0.6, True)])

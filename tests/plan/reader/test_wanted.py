@@ -81,7 +81,8 @@ def test_what_is_ruled_out_does_not_come_by_lot():
 
 def test_a_flat_of_a_stated_area_has_its_balcony_as_one_of_none_has():
     """As many as people have, 1.1 and 1.0 a flat of two and three bedrooms, within .15; none where nothing fits."""
-    for prompt, real in (("a flat of 72 m² for a couple with a child", 1.1), ("a flat of 92 m² for a family of four", 1.0)):
+    usual = {"a flat of 72 m² for a couple with a child": 1.1, "a flat of 92 m² for a family of four": 1.0}
+    for prompt, real in usual.items():
         many = [sum(room.type == "balcony" for room in read(prompt, np.random.default_rng([5, seed])).rooms)
                 for seed in range(120)]
         assert abs(np.mean(many) - real) < 0.15, prompt
