@@ -3,6 +3,7 @@
 from apartgen.stages.plan.reader.belongings import OWNED_BY, belongs, beside_another, is_the_suite, of_the_first
 from apartgen.stages.plan.reader.clausal import ahead, several_new
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.shared_out import usual_in
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.vocabulary import Det
 from apartgen.stages.things.categories import TABLE
@@ -269,10 +270,10 @@ def _each_after(items: list[Item], k: int) -> bool:
 
 
 def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> None:
-    """Furniture named before its room (`a piano in the living room`), or with no room at all."""
+    """Furniture named before its room (`flat with a desk, a chair and a lamp in the study`), or with no room at all."""
     holder = None
     after = after[1:] if after and after[0].kind == "copula" else after  # "a wardrobe must be in every bedroom"
-    lists = bool(after) and is_mark(after[0], ",") and not rooms_of(before)  # "a desk, a chair and a lamp in the study"
+    lists = bool(after) and is_mark(after[0], ",") and all(r.headline for r in rooms_of(before))
     if lists or (after and after[0].kind in ("with", "conjunction", "object", "link")):
         inside = next((j for j, x in enumerate(after) if x.kind == "with" and x.value == "in"), None)
         if (
@@ -281,6 +282,7 @@ def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> Non
             and all(x.kind in ("object", "conjunction", "mark", "objects") or x.value == "with" for x in after[:inside])
         ):
             holder = after[inside + 1].room
+            holder = None if lists and rooms_of(before) and not usual_in(item, holder) else holder
     known = [i.room for i in before if i.room is not None]
     end = next((j for j, x in enumerate(after) if x.kind not in ("object", "conjunction", "objects")), len(after))
     in_it = [i.value for i in after[end : end + 1]] == ["in"]

@@ -4,6 +4,8 @@ import re
 
 from apartgen.stages.plan.reader.pieces import reworded, rules
 
+_CLOSED = re.compile("厨房(?:要|是)?(?:不要|不想要?|不能|不可以|不|别|非)(?:做成?|是|要)?开放|"
+                     "(?:封闭|独立)式?的?厨房|厨房(?:要|是)?(?:封闭|独立)")
 _LIVED = "(?:(?:开放式|大|小)?(?:客厅|厨房|餐厅|饭厅|起居室))"
 _WHOSE = {"我": "my room", "父母": "the parents' bedroom", "爸妈": "the parents' bedroom",
           "爸爸妈妈": "the parents' bedroom"}  # fmt: skip
@@ -45,6 +47,12 @@ _KID = "(?:[大小]?女儿|[大小]?儿子|小?孩子?|宝宝|老[大二三])"
 _WHO = (rf"(?:[我他她]的?)?(?:{_KID}|父母|爸妈|爸爸妈妈|老人|爷爷奶奶|外公外婆|奶奶|爷爷|外婆|外公|妈妈|爸爸|保姆|"
         "我们?(?:夫妻|夫妇)?|夫妻|夫妇|哥哥|姐姐|弟弟|妹妹)")  # fmt: skip
 _NUMBERS = {"一": 1, "两": 2, "二": 2, "三": 3, "四": 4, "五": 5, "六": 6}
+def _closed_there(found: re.Match[str]) -> str:
+    """Rooms that are joined by a door where the kitchen must not be open."""
+    closed = _CLOSED.search(found.string) is not None and "厨房" in found.group()
+    return f"{found['a']}连着{found['b']}" if closed else found.group()
+
+
 _SAID = rules((
     # "两个大人和两个孩子，每个孩子一间卧室"
     (r"(?:我们)?(?:两个|两位|2个)?(?:大人|成人|夫妻|夫妇)(?:俩|两人)?(?:和|带着?|与|,|、)(?P<n>[一两二三四五2-5])个?(?:小?孩子?|儿子|女儿)"
@@ -56,6 +64,10 @@ _SAID = rules((
      r"(?:的(?:房子|公寓|家))?[,:、]?(?:每人|每个人|各人|人人)(?:都)?(?:想要|需要|要|有|住)?(?:一间|一个|自己的|"
      r"单独的|独立的)*"
      r"(?:卧室|房间|睡房|房)", _each),
+    # "客厅放一张大沙发": its size is told of no plan; "餐厅和厨房相连，厨房不要开放式": no opening
+    (r"[大小](?=(?:沙发|餐桌|书桌|办公桌|衣柜|书架|书柜|冰箱|电视|镜子|茶几))", ""),
+    (r"(?P<a>{lived})(?:和|与|跟|同)(?P<b>{lived})(?:之间)?(?:是|要|直接)*(?:相连|连通|连着|连接)(?=[,.;]|$)",
+     _closed_there),
     # "餐厅和厨房打通，没有墙", "客厅与餐厅之间不要隔墙"
     (r"(?P<a>{lived})(?:和|与|跟|同)(?P<b>{lived})(?:之间|中间)?(?:是|要|可以|直接|全部|完全)*(?:连通|打通|贯通|"
      r"相通|相连|连在一起|"

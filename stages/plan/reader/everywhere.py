@@ -1,6 +1,15 @@
 """Clauses of German, French, Spanish and Chinese homes: ways in, ends of halls, ours beside theirs, second uses."""
 
+import re
+
 from apartgen.stages.plan.reader.pieces import HALL, reworded, rules
+
+
+def _each_door(found: re.Match[str]) -> str:
+    """Of each of several rooms that it has a door to another."""
+    rooms = re.split(r", | y ", found["all"])
+    return ". ".join(f"{room} tiene puerta {found['to']}" for room in rooms)
+
 
 _TWO_USES = (
     # "ein Arbeitszimmer, das man auch als Gästezimmer nutzen kann"
@@ -31,12 +40,20 @@ _WAYS = (
     (r"\b(?:man|wir) (?:kommt|tritt|kommen|gelangt|betritt) (?:direkt|gleich|unmittelbar) (?:ins|in das|das) "
      r"(?:wohnzimmer|wohnbereich)\b", "you enter directly into the living room"),
     (r"(?:进门|入户)(?:就|直接)?是客厅", "you enter directly into the living room"),
-    # "at the end of the hall"
+    # "a long hallway and a bathroom at the far end of it", "at the end of the hall"
+    (r"(?P<hall>\b{hall}),? (?:and |with )(?P<of>an? (?:[a-z]+ )?(?P<room>{kind})) at the "
+     r"(?:far |very |other )?end of it\b", r"\g<hall> and \g<of>. the \g<room> is at the far end"),
     (r"\bat the (?:far |very )?end of the {hall}", "at the far end"),
     (r"\bam ende de[sr] (?:flure?s|gange?s|korridors|diele)\b", "hinten"),
     (r"\bau (?:bout|fond) du couloir\b", "au fond"),
     (r"\bal (?:final|fondo) del pasillo\b", "al fondo"),
     (r"在?走廊(?:的)?尽头", "远离入口"),
+    # "el dormitorio, el baño y la cocina tengan puerta al salón", "una terraza a la que se sale desde el salón"
+    (r"(?P<all>(?:(?:el|la) {es}, )*(?:el|la) {es} y (?:el|la) {es}) (?:tienen|tengan|deben tener|con) (?:una )?puerta "
+     r"(?P<to>(?:al|a la|con el|con la) {es})", _each_door),
+    (r"\btenga(?=n? (?:una )?puerta\b)", "tiene"),
+    (r"(?P<of>\b(?:balcon|terraza)) (?:a la|al|a el) que se (?:sale|accede|llega|salga|acceda)"
+     r"(?=(?: directamente)? (?:desde|por) )", r"\g<of> con salida"),
     # "je travaille à la maison", "trabajo en casa", "une seule chambre"
     (r"\b(?P<work>travaill\w+|teletravail\w*) (?:a la maison|depuis la maison)\b", r"\g<work>"),
     (r"\b(?P<work>trabaj\w+|teletrabaj\w+) (?:en|desde) casa\b", r"\g<work>"),

@@ -26,6 +26,7 @@ from apartgen.stages.plan.reader.lives import lived
 from apartgen.stages.plan.reader.loosely import told_apart
 from apartgen.stages.plan.reader.meant_of import meant_of
 from apartgen.stages.plan.reader.named_again import named_again
+from apartgen.stages.plan.reader.once_counted import once_counted
 from apartgen.stages.plan.reader.one_room import in_one_room
 from apartgen.stages.plan.reader.only_ways import only_ways
 from apartgen.stages.plan.reader.parted import parted
@@ -50,6 +51,7 @@ from apartgen.stages.plan.reader.whose import whose_rooms
 def in_known_words(prompt: str) -> str:
     """A prompt folded, with its clauses in such words."""
     said = at_sides(tersely(in_places(in_things(in_numbers(in_units(fold(scheduled(prompt))))))))
+    said = once_counted(said)
     plain = whose_place(whose_rooms(commonly(without_false_friends(said))))
     told = every_day(at_home(everywhere(for_whom_said(simply(lived(as_typed(plain)))))))
     told = beside_entrance(in_characters(in_one_room(told)))

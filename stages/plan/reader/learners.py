@@ -14,6 +14,11 @@ def _big_room(found: re.Match[str]) -> str:
     return found.group() if _LIVING.search(found.string) or "bedroom" not in found.string else f"{found[1]}living room"
 
 
+def _of_a_home(found: re.Match[str]) -> str:
+    """`a table where we can eat`: who we are says nothing but that it is a home, which other words may say."""
+    return found[1] if re.search(r"\b(?:flat|apartment|house|home|bed ?rooms?)\b", found.string) else found.group()
+
+
 _MOST = {"big": "biggest", "large": "largest", "small": "smallest"}
 _SAID = rules((
     # "kitchen no have door", "I not need a balcony", "there is not balcony", "it is not balcony"
@@ -105,6 +110,9 @@ _SAID = rules((
     # "one bed for two persons", "table for computer", "one near bedroom and other near door of entrance"
     (r"\b(?:one |an? )?(?:big )?bed for two(?: persons?| people)?\b", "a double bed"),
     (r"\b(?:one |an? )?bed for one(?: person)?\b", "a single bed"),
+    (r"\b(?:cloth(?:es)? )?wash(?:er)?[ -]?machine\b", "washing machine"),
+    (r"(\btables?(?: for [a-z]+)?),? (?:where|at which|on which) (?:i|we|you|one|they|the family) (?:can |could )?"
+     r"(?:all )?(?:eat|dine|have (?:our )?(?:meals|dinner|breakfast))(?: together)?\b", _of_a_home),
     (r"\btable for (?:the |an? |my )?(?:computer|pc|laptop)\b", "desk"),
     (r"\band other (?=(?:one )?(?:near|next|beside|off|in|on|at|close|from)\b)", "and the other "),
     (r"\b(?:the )?door of (?:the )?entrance\b", "the entrance"),

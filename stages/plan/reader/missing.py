@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from apartgen.stages.plan.reader.desks import STUDY
 from apartgen.stages.plan.reader.doors import Doors
 from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.household import Household
@@ -142,7 +143,8 @@ def _around_living(said: Said, home: Household, doors: Doors) -> bool:
 def _bedrooms(said: Said, data: dict[str, Any]) -> int:
     if said.total_area is None:
         return int(data["bedrooms"])
-    return int(next(n for most, n in data["bedrooms_from_area"] if said.total_area < most))
+    area = said.total_area - (STUDY if said.study_for_work else 0.0)
+    return int(next(n for most, n in data["bedrooms_from_area"] if area < most))
 
 
 def _add_missing(kind: str, home: Household, data: dict[str, Any]) -> None:

@@ -26,7 +26,15 @@ def _bed(found: re.Match[str]) -> str:
     return "a double bed" if _STUDIO.search(found.string) else found.group()
 
 
+def _home_of_one(found: re.Match[str]) -> str:
+    """Without what makes a flat a studio; a studio that has a bed is one."""
+    home = "flat" if found["home"] == "pad" else found["home"]
+    return home if _BEDROOMS.search(found.string) else found.group()
+
+
 _SAID = rules((
+    # "bachelor flat, one bedroom": where a bachelor lives, and no studio
+    (r"\bbachelor(?:'s)? (?P<home>flat|apartment|pad|condo|home)\b", _home_of_one),
     # "a room for living and sleeping", "a combined living and sleeping room", "a living-bedroom"
     (r"\b(?:one|an?|single|1) (?:single )?room (?:for|to) (?:both )?(?:living|live)(?: in)? and (?:for |to )?"
      r"(?:sleeping|sleep)(?: in)?\b", _main_room),

@@ -17,6 +17,7 @@ from apartgen.stages.plan.reader.distributed import each_beside_one
 from apartgen.stages.plan.reader.elided import written_out
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.exactly import furnished, names_all, sleeps_only
+from apartgen.stages.plan.reader.home_working import working_at_home
 from apartgen.stages.plan.reader.in_between import at_table
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.known_words import in_known_words
@@ -50,15 +51,16 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = in_known_words(prompt)
+    working, text = working_at_home(prompt)
+    folded = in_known_words(text)
     placed, beyond = beside_things(folded)
     people, text = housed(placed)
     whole, text = about(text)
-    whole = whole if people is None else replace(whole, people=people)
+    whole = replace(whole, people=people or whole.people or working.people, lived=whole.lived or working.speaking)
     words = lexemes(tokenize(text), lexicon)
     words = bedrooms_apiece(quantities(words), whole.people.count if whole.people else 0)
     words = purposes(for_people(words))
-    said = Said(about=whole, prompt=prompt, beyond=[*limits(folded), *beyond])
+    said = Said(about=whole, prompt=prompt, working=working, beyond=[*limits(folded), *beyond])
     said.corrected = [slip for word in words for slip in word.slips]
     if described(words, said):
         return said

@@ -14,6 +14,7 @@ from apartgen.stages.plan.newcomers import as_base, plain
 from apartgen.stages.plan.reader.about import About
 from apartgen.stages.plan.reader.areas import fill, typical
 from apartgen.stages.plan.reader.contradict import consistent
+from apartgen.stages.plan.reader.desks import add_desks, add_study
 from apartgen.stages.plan.reader.doors import Doors, Pair, doors_said, ensuites, every_room
 from apartgen.stages.plan.reader.entity import MOST, Entity, whose
 from apartgen.stages.plan.reader.halls import hall_rank
@@ -61,7 +62,7 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
     home = Household(mentions(said.statements) | beside, {id(p) for wish in said.asked for p in wish.of})
     for phrase in _introduced_first(said.rooms):
         home.resolve(phrase)
-    silent = replace(said.about, lived=False) == About()
+    silent = replace(said.about, lived=False) == About() and not said.working.found
     if not home.rooms and not said.dwelling and not said.main_rooms and silent:
         raise BadInput(
             f'no room could be read from the prompt {_quoted(prompt)}; name rooms, e.g. "two-bedroom flat with a study"'
@@ -74,10 +75,12 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
     if not complete:
         named = {room.type for room in home.rooms} | ({"any"} if said.main_rooms else set())
         named |= {"studio"} if said.dwelling == "studio" else set()
+        add_study(said, home)
         add_bedrooms(said, home, rng)
         add_missing_rooms(said, home, doors)
         if rng is not None and not said.only:
             add_rooms(said, home, doors, named, rng)
+    add_desks(said, home)
     every_room(said.statements, home, doors)
     _every_area(said, home)
     ensuites(home, doors)

@@ -3,7 +3,9 @@
 from collections import Counter
 
 from apartgen.stages.plan.reader.entity import Entity
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase
 from apartgen.stages.plan.reader.vocabulary import Trait
+from apartgen.stages.things.categories import TABLE
 
 BEDS = ("double_bed", "bunk_bed", "single_bed", "cot")
 """Beds by how many sleep in them: the main bedroom, told first, has the widest."""
@@ -33,3 +35,9 @@ def _beds(loose: list[tuple[str, int]], free: list[Entity]) -> Furniture:
     dealt += [(left[k * step // len(narrow)], bed) for k, bed in enumerate(narrow)]
     places = {id(room): room for room, _ in dealt}
     return [(places[at], bed, count) for (at, bed), count in Counter((id(room), bed) for room, bed in dealt).items()]
+
+
+def usual_in(item: Item, room: RoomPhrase | None) -> bool:
+    """Whether such a thing stands in such a room: `one-bedroom flat with a fridge, a sofa and a desk in the study`."""
+    known = room is not None and item.value in TABLE and item.value != "chair"  # chairs go with their table
+    return not known or (room is not None and room.type in TABLE[item.value].rooms)

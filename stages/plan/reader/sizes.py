@@ -7,6 +7,7 @@ from apartgen.schemas.plan import AskedRoom, Link
 from apartgen.schemas.rooms import kinds
 from apartgen.stages.plan.reader.areas import fill, typical
 from apartgen.stages.plan.reader.contradict import shares_fit
+from apartgen.stages.plan.reader.desks import ASKED_FOR_TWO, desks
 from apartgen.stages.plan.reader.doors import entities
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.statements import Asked, Said, Statement
@@ -46,10 +47,24 @@ def room_areas(
         base.update(dict.fromkeys(alike, sum(base[i] for i in alike) / max(len(alike), 1)))
     _all_compared(said, home, ids, base, stated)
     _extremes(said, home, ids, base, stated)
-    filled = fill(rooms, base, stated, shares, said.total_area)
+    filled = _filled(said, rooms, base, stated, shares, [ids[id(e)] for e in home.of("study") if desks(e) > 1])
     for statement in said.statements:
         if statement.kind == Relation.COMPARE and said.total_area is not None:
             filled = _compared(statement, home, ids, filled, rooms, stated, shares, said.total_area)
+    return filled
+
+
+def _filled(
+    said: Said, rooms: list[AskedRoom], base: dict[str, float], stated: dict[str, float], shares: dict[str, float],
+    for_two: list[str],
+) -> dict[str, float]:  # fmt: skip
+    """All areas; studies with two desks are large enough for them, unless somebody says how large they are."""
+    open_ = [i for i in for_two if i not in stated and i not in shares]
+    base |= {i: max(base[i], ASKED_FOR_TWO) for i in open_}
+    filled = fill(rooms, base, stated, shares, said.total_area)
+    if small := {i: ASKED_FOR_TWO for i in open_ if filled[i] < ASKED_FOR_TWO}:
+        stated |= small
+        return fill(rooms, base, stated, shares, said.total_area)
     return filled
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from apartgen.stages.plan.reader.about import About
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Relation
+from apartgen.stages.plan.reader.workers import Working
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +38,7 @@ class Said:
     """Everything read from a prompt. `rooms` in the order of the text, owned ones after their owners.
 
     `equal` says that the rooms one lives and sleeps in, which are counted together, are of one size; `uncounted` are
-    things without a room of which nobody says how many.
+    things without a room of which nobody says how many. `study_for_work`: those who work at home have a study unsaid.
     """
 
     rooms: list[RoomPhrase] = field(default_factory=list)
@@ -64,6 +65,8 @@ class Said:
     beyond: list[tuple[str, str]] = field(default_factory=list)
     prompt: str = ""
     about: About = field(default_factory=About)
+    working: Working = field(default_factory=Working)
+    study_for_work: bool = False
 
 
 def door_pairs(items: list[Item]) -> list[Item]:

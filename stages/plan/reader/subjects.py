@@ -62,11 +62,20 @@ def find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor:
         if last is not None and is_mark(items[p.subject[0] - 1], ",") and len(rooms) > 1 and not relative:
             return
         one = p.form == "s" or items[p.at].text.split()[0] in SINGULAR
+        crowded = crowded or _bath_of_its_own(items, p)
         if p.kind == Relation.TO or crowded or p.form == "which" or not near or (relative and one):
             p.subject = (rooms[-1], rooms[-1] + 1)
         p.shared = True
         return
     p.subject = (_clause_start(items, rooms, p, last), rooms[-1] + 1)
+
+
+def _bath_of_its_own(items: list[Item], p: Predicate) -> bool:
+    """`a living room and a bathroom with doors to the bedroom and to the hall`: the bathroom has these doors."""
+    start, end = p.subject
+    led = next((i.value for i in items[p.at + 1 :] if i.room is not None), "")
+    kinds = [i.value for i in items[start:end] if i.room is not None]
+    return led == "bedroom" and kinds[-1:] == ["bathroom"] and {*kinds[:-1]} <= {*OPEN_TYPES} and len(kinds) > 1
 
 
 def has_its_door(items: list[Item], p: Predicate) -> bool:

@@ -29,6 +29,9 @@ _DOWNTOWN = r"(?: (?:downtown|in town|in the city|elsewhere|across town|outside|
 _THERE_ENDS = (r"(?= ?(?:[.,;:!?]|$)| (?:every|each|daily|on|during|for work|to work|and|so|anyway|instead|most|"
                r"twice|once|all|in the (?:morning|evening))\b)")  # fmt: skip
 _SAID = [(late(pattern), words) for pattern, words in (
+    # "I play the piano, so a living room big enough for a grand piano"
+    (r"\b(i|we|she|he) (?:also )?plays? (?:the )?(?:piano|guitar|violin|cello|drums),? so (?:(?:i|we) "
+     r"(?:want|need|would like) )?(?=(?:an?|the) )", r"\1 want "),
     # "for a bed-making robot", "for a laundry folding task"
     (rf"(?<!-)\b{_NOUN}[- ]{_DOING}(?:[- ](?:and|or|&)[- ]{_DOING})? (?={_WHAT}\b)", ""),
     (rf"\b(?:for|to test|to train|to learn|a test of|about) {_NOUN}[- ]{_DOING}(?= ?[:,.;]| with )", "for research"),
@@ -49,6 +52,12 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"\b{_THEY} (?:go(?:es)?|commutes?|drives?|travels?|cycles?) (?:back |out )?(?:in)?to {_AWAY}{_DOWNTOWN}?"
      rf"{_THERE_ENDS}", ""),
     (rf"\b{_THEY} works? (?:at {_AWAY}{_DOWNTOWN}?|(?:in|from) {_AWAY}{_DOWNTOWN}){_THERE_ENDS}", ""),
+    # "a dog bed in the living room": no bed, and no thing that is known
+    (r"\b(dog|cat|pet)(?:'s)?[ -](bed|basket|couch|sofa|table|chair)(s?)\b", r"\1\2\3"),
+    # "Co-op apartment for two players", "Task: …", "nodes: …"
+    (r"\bco-?op (?=(?:flat|apartment|home|house|game|map|level)\b)", ""),
+    (r"\bfor (?:one|two|three|four|five|six|[1-6])(?: to (?:two|four|six|eight|[2-8]))? players\b", "for players"),
+    (r"(?:^|(?<=[.;\n] )|(?<=\n))(?:task|nodes|vertices|query) ?: ?", ""),
     # "our grandfather is living with us"
     (r"\b(is|are|am|was|were|be|who|that|[a-z]+) living (?=(?:with (?:us|me|my|our|him|her|them)|together|alone|in "
      r"an? |here|"

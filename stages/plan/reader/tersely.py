@@ -140,6 +140,10 @@ _SAID = rules((
     (r"\b(?P<a>living(?: room)?|bed ?rooms?|kitchen|study) windows?(?: \(?(?P<all>both|all)\)?)? (?:to (?:the "
      r")?|facing )?(?P<side>north|south|east|west)(?={end})",
      _facing),
+    # "not_adjacent: [guest_wc, kitchen]", "far apart: bedroom, kitchen"
+    (r"\bnot (?:adjacent|next|near)(?: to)? ?: ?\[?\(?(?P<a>[a-z][a-z ]*?(?: \d)?) ?[,&] ?(?P<b>[a-z][a-z "
+     r"]*?(?: \d)?)\)?\]?"
+     r"(?= ?(?:[.;,\n]|$))", r"the \g<a> is not next to the \g<b>."),
     # "Three students. We each want a bedroom of 12 m²"
     (r"(?P<before>\b(?:we are|for|of) (?:(?:a|the) )?(?P<n>two|three|four|five) (?:students|friends|flatmates|"
      r"roommates|housemates|colleagues|people|adults|siblings|sisters|brothers)\b"

@@ -19,6 +19,8 @@ CLAUSE = re.compile(r"(?<=\D)[.,:](?=\s|$)|[;!?\n()，。；、！？：]| - | �
 """Where one clause ends and the next begins; 3.5 is one number."""
 CLOSED = re.compile(r"not (?:(?:be|is|are) )?open (?:to|towards?)\b")
 """What denies that rooms share a space, and no door."""
+PETS = re.compile(r"^(dog|cat|pet)(?=(?:bed|basket|couch|sofa|table|chair)s?$)")
+"""Whose furniture was put into one word, so that none of it is people's."""
 LONGEST = 80
 """Characters of a clause that are quoted."""
 
@@ -60,7 +62,7 @@ def with_clauses(words: list[str], beyond: list[tuple[str, str]], prompt: str) -
     named = _outermost(beyond)
     out = [_entry(text, why, clauses) for text, why in named if why]
     told = [_plain(text) for text, _ in named]
-    joined = [word.replace(" - ", "-") for word in words]
+    joined = [PETS.sub(r"\1 ", word.replace(" - ", "-")) for word in words]
     out += [_entry(word, "", clauses) for word in joined if not any(_plain(word) in text for text in told)]
     return list(dict.fromkeys(out))
 

@@ -10,6 +10,7 @@ from sentences import cases
 from apartgen.schemas.errors import BadInput, Unmet
 from apartgen.stages.plan.reader import read
 from apartgen.stages.plan.reader.about import about
+from apartgen.stages.plan.reader.home_working import working_at_home
 from apartgen.stages.plan.reader.known_words import in_known_words
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
@@ -65,7 +66,7 @@ def test_a_word_of_meaning_is_read_or_listed() -> None:
     lexicon, seen = read_lexicon(), 0
     for prompt in SAMPLE:
         unread = " ".join(read(prompt).unread).lower()
-        for word in lexemes(tokenize(about(housed(in_known_words(prompt))[1])[1]), lexicon):
+        for word in lexemes(tokenize(about(housed(in_known_words(working_at_home(prompt)[1]))[1])[1]), lexicon):
             if word.kind not in ("stop", "adjective", "unknown") or not word.text.isascii():
                 continue
             for part in word.text.replace(" - ", " ").split():
