@@ -18,8 +18,9 @@ from apartgen.stages.space.boxes import Boxes
 RADII = {0.16: 12.0, 0.27: 8.0}
 """Radius of who walks, m: that of the usual metric (0.15) and that of a common robot (0.25), which goes round open
 doors, each with room for the raster's error; and how many metres of shifting it is worth that no floor is cut off."""
-IN_HALLS = {0.16: 12.0, 0.36: 8.0}
-"""The same where all go past one another: .7 m is left between what stands at both walls."""
+WIDER = {"hallway": 0.36, "living_room": 0.3}
+"""Radius of the second by type of room where people walk with things in their hands: .7 and .6 m are left between what
+stands there."""
 BESIDE = 0.16
 """Radius of who is to get beside every object, m."""
 UNREACHED = 0.8
@@ -41,6 +42,12 @@ NOTHING: Bodies = {}
 SHUT, HUNG = -1.0, -2.0
 """How far what nobody opens does so, and what hangs above something, over which one gets at it."""
 SHUT_ALL: Mapping[int, float] = {}
+
+
+def radii(base: str | None) -> dict[float, float]:
+    """Radii of who walks in a room of a type, m, and what each is worth."""
+    (first, worth), (second, less) = RADII.items()
+    return {first: worth, WIDER.get(base or "", second): less}
 
 
 class Paths:

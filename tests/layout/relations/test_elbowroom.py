@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from rooms_for_tests import box, one_room, room, some_rooms
 
+from apartgen.stages.layout.projection.paths import radii
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import elbowroom
-from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import upright
 from apartgen.stages.layout.rooms import KINDS
 
@@ -181,6 +182,17 @@ def test_no_cupboard_narrows_the_hall_one_enters(kind: str, wide: float, there: 
         hall.add(name, box((2.0, 0.9, 0.5), -1.98, 0, 0))
     cupboard = box((0.6, 1.2, 2.1), 1.5, wide / 2 - 0.305, -np.pi / 2)
     assert (hall.prices("wardrobe", cupboard[None])[0] >= BROKEN) == out
+
+
+@pytest.mark.parametrize(("base", "gap", "shut"), [
+    ("hallway", 0.62, True), ("hallway", 0.8, False), ("living_room", 0.52, True), ("living_room", 0.68, False),
+    ("bedroom", 0.45, True), ("bedroom", 0.62, False),
+])
+def test_between_things_at_both_walls_people_pass(base: str, gap: float, shut: bool) -> None:
+    """A door in the south, floor in the north, a cabinet at the west wall and a bench at the east wall across from it."""
+    there = Furniture(space_of(one_room(0.8 + gap, 6.0), 0), radii(base))
+    there.add("shoe_cabinet", box((0.4, 1.0, 1.0), -(0.2 + gap / 2), 0.0))
+    assert (there.shuts("bench", box((0.4, 1.0, 0.45), 0.2 + gap / 2, 0.0, np.pi)) >= CUT) == shut
 
 
 BED = (2.0, 1.6, 0.5)
