@@ -18,9 +18,9 @@ from apartgen.stages.space.boxes import Boxes
 RADII = {0.16: 12.0, 0.27: 8.0}
 """Radius of who walks, m: that of the usual metric (0.15) and that of a common robot (0.25), which goes round open
 doors, each with room for the raster's error; and how many metres of shifting it is worth that no floor is cut off."""
-WIDER = {"hallway": 0.36, "living_room": 0.3}
-"""Radius of the second by type of room where people walk with things in their hands: .7 and .6 m are left between what
-stands there."""
+WIDER = {"hallway": 0.36}
+"""Radius of the second by type of room where people walk with things in their hands: .7 m are left between what stands
+there."""
 BESIDE = 0.16
 """Radius of who is to get beside every object, m."""
 UNREACHED = 0.8

@@ -19,6 +19,8 @@ TURNED, STRANDED = np.radians(68), 1.6
 """An armchair looks at a sofa within this angle, and stands no farther from it, m."""
 AROUND, BY, SIGHT = np.radians(50), 1.0, np.radians(75)
 """The same of the low table before the sofa, if there is one; from an armchair one sees a screen within the last."""
+FROM_SCREEN = 0.35
+"""Between an armchair and what the television stands on, m."""
 PAIR, WITHIN_REACH, BESIDE_IT = 1.2, 0.65, 0.3
 """A seat so wide is for two, m; so near is the low table then at most, and so far aside of its middle."""
 BEHIND, BACK_TO = np.radians(120), 0.6
@@ -197,7 +199,8 @@ def _in_group(seen: Seen, hosts: Sequence[str]) -> Flags:
 
 
 def _in_sight(seen: Seen, hosts: Sequence[str]) -> Flags:
-    return _any(seen.off < SIGHT)
+    """A screen that one sits no nearer to than its doors and drawers need."""
+    return _any(seen.off < SIGHT) & (seen.gap >= FROM_SCREEN).all(1)
 
 
 def _knees(seen: Seen, hosts: Sequence[str]) -> Flags:

@@ -216,6 +216,12 @@ def test_who_sits_in_an_armchair_sees_the_screen(turn: float, seen: bool) -> Non
     assert company.alone("armchair", seat[None], ["tv_stand"], screen[None])[0] != seen
 
 
+@pytest.mark.parametrize("gap, good", [(0.1, False), (0.3, False), (0.4, True), (1.0, True)])
+def test_nobody_sits_right_at_the_screen(gap: float, good: bool) -> None:
+    screen, seat = box((0.4, 1.6, 0.5), 0, 0), box((0.8, 0.8, 0.9), 0.2 + gap + 0.4, 0.3, np.pi)
+    assert company.alone("armchair", seat[None], ["tv_stand"], screen[None])[0] != good
+
+
 @pytest.mark.parametrize("gap, turn, good", [
     (0.3, 0, False), (0.55, 0, False), (0.65, 0, True), (0.3, 90, True), (0.3, 180, True), (0.3, 45, False)])
 def test_no_armchair_has_its_back_to_a_near_table(gap: float, turn: float, good: bool) -> None:
