@@ -216,7 +216,7 @@ def test_a_home_washes_its_clothes_and_two_have_length_for_theirs() -> None:
     machines, robes = [], []
     for seed in range(3, 9):
         plan = home(seed)
-        things = made(plan, config=ONE.model_copy(update={"candidates": 1})).objects
+        things = made(plan, config=ONE.model_copy(update={"candidates": 4})).objects
         laundry = next(room.id for room in plan.rooms if use.site(plan, room.id).laundry)
         machines.append(any(o.room == laundry and o.category == "washing_machine" for o in things))
         robes += [o.size[1] for o in things if o.category in ("wardrobe", "sliding_wardrobe") and any(

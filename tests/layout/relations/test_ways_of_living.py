@@ -223,7 +223,7 @@ def test_coat_racks_are_as_deep_as_wide(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def test_laundry_baskets_are_where_linen_is_kept_and_in_no_bedroom_unless_asked_for() -> None:
-    plan = home(4)
+    plan = home(6)
     bath, bed = (next(room for room in plan.rooms if room.base == kind) for kind in ("bathroom", "bedroom"))
     assert use.site(plan, bath.id).area >= 4.0
     drawn = [seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(200)]
