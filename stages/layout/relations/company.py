@@ -17,8 +17,9 @@ FAR, FARTHEST, ASKANCE = 3.5, 4.0, np.radians(30)
 """A television stands no farther from its sofa, m; if need be, it does, and so far aside."""
 TURNED, STRANDED = np.radians(68), 1.6
 """An armchair looks at a sofa within this angle, and stands no farther from it, m."""
-AROUND, BY, SIGHT = np.radians(50), 1.0, np.radians(75)
-"""The same of the low table before the sofa, if there is one; from an armchair one sees a screen within the last."""
+AROUND, BY, SIGHT, EDGE_ON = np.radians(50), 0.8, np.radians(75), np.radians(70)
+"""The same of the low table before the sofa, if there is one; from an armchair one sees a screen within the third, and
+from no farther aside of it than the last."""
 FROM_SCREEN = 0.35
 """Between an armchair and what the television stands on, m."""
 PAIR, WITHIN_REACH, BESIDE_IT = 1.2, 0.65, 0.3
@@ -199,8 +200,8 @@ def _in_group(seen: Seen, hosts: Sequence[str]) -> Flags:
 
 
 def _in_sight(seen: Seen, hosts: Sequence[str]) -> Flags:
-    """A screen that one sits no nearer to than its doors and drawers need."""
-    return _any(seen.off < SIGHT) & (seen.gap >= FROM_SCREEN).all(1)
+    """A screen that one sits no nearer to than its doors and drawers need, and not beside."""
+    return _any((seen.off < SIGHT) & (seen.back().off < EDGE_ON)) & (seen.gap >= FROM_SCREEN).all(1)
 
 
 def _knees(seen: Seen, hosts: Sequence[str]) -> Flags:
