@@ -54,7 +54,7 @@ def _idle(tree: Tree, p: Problem, z: Scratch, hall: int, axis: int) -> tuple[flo
         b = z.box[other]
         if other != hall and tree.nodes[other, 0] == room and _touch(b, box):
             spans.append((max(box[axis], b[axis]), min(box[axis + 2], b[axis + 2])))
-    first, last = min(lo for lo, _ in spans), max(hi for _, hi in spans)
+    first, last = min((lo for lo, _ in spans), default=box[axis]), max((hi for _, hi in spans), default=box[axis + 2])
     return first - box[axis], box[axis + 2] - last
 
 

@@ -48,7 +48,9 @@ def _brought(tree: Tree, boxes: Floats, blocks: Floats, cut: int, at: float) -> 
         return tree
     whole = _covered(box, blocks)
     box[3 - upright] = at
-    part = _covered(box, blocks) / whole
+    part = _covered(box, blocks) / whole if whole > EPS else 0.0
+    if not EPS < part < 1 - EPS:  # all on one side, or where the outline cuts everything off
+        return tree
     share = tree.share.copy()
     left, right = (_below(tree, int(tree.nodes[cut, side])) for side in (LEFT, RIGHT))
     both = share[left].sum() + share[right].sum()

@@ -5,7 +5,7 @@ import pytest
 
 from apartgen.schemas.plan import Program, Walls
 from apartgen.stages import plan as planner
-from apartgen.stages.plan import kernel, starts
+from apartgen.stages.plan import kernel, starts, straight
 from apartgen.stages.plan.bettered import bettered
 from apartgen.stages.plan.blocks import given
 from apartgen.stages.plan.capped import capped
@@ -44,6 +44,16 @@ def fronts(p: Problem, tree: Tree) -> tuple[Floats, float]:
     best, price = bettered(tree, cost, p, z, np.ones(1, np.uint64), 0)
     assert z.terms[LACKING] < 1e-6 and price == pytest.approx(bettered(best, price, p, z, np.ones(1, np.uint64), 0)[1])
     return z.box[[2, 3], 1], price
+
+
+def test_a_cut_stays_where_an_outline_leaves_nothing_of_its_box_or_all_of_it_to_one_side() -> None:
+    """The cut between living room and kitchen of the studio, by blocks elsewhere, and south of it alone."""
+    p, tree = studio(2.1, 2.3)
+    boxes = measured(p, tree)[1].box
+    for blocks in (np.array([[9.0, 0.0, 12.0, 3.0]]), np.array([[0.0, 0.0, 6.4, 2.0]])):
+        assert straight._brought(tree, boxes, blocks, 5, 3.0) is tree
+    moved = straight._brought(tree, boxes, np.array([[0.0, 0.0, 6.4, 6.0]]), 5, 3.0)
+    assert moved is not tree and np.isfinite(moved.share).all() and (moved.share[:4] > 0).all()
 
 
 def test_a_jog_between_rooms_side_by_side_is_straightened() -> None:
