@@ -19,10 +19,9 @@ from apartgen.stages.plan.check import entrance_room, links, neighbours
 from apartgen.stages.plan.faces import Face
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.swings import NOWHERE, Box, Choice, Column, Depths, together
+from apartgen.stages.plan.unwalled import FRAME
 
 Floors = dict[str, Polygon]
-FRAME = 0.1
-"""Least wall between a door and a corner, m."""
 HEAD, OPEN_HEAD, GLAZED_HEAD = 2.1, 2.3, 2.2
 ENTRANCE = 0.95
 APPROACHES = ((0.7, 0.7), (0.35, 0.55), (0.12, 0.55), (0.12, 0.12))

@@ -8,7 +8,7 @@ from apartgen.stages.plan import faces
 from apartgen.stages.plan.faces import Face
 
 FRAME = 0.1
-"""Least wall between an opening and a corner, m."""
+"""Least wall between a door or an opening and a corner, m."""
 WIDEST, LEAST = 3.2, 1.5
 """Widest opening, and the least that is left of one for the sake of a run, m."""
 RUN, LONG = 0.66, 1.5

@@ -44,7 +44,7 @@ SHUT, HUNG = -1.0, -2.0
 SHUT_ALL: Mapping[int, float] = {}
 
 
-def radii(base: str | None) -> dict[float, float]:
+def walked_in(base: str | None) -> dict[float, float]:
     """Radii of who walks in a room of a type, m, and what each is worth."""
     (first, worth), (second, less) = RADII.items()
     return {first: worth, WIDER.get(base or "", second): less}

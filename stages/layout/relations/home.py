@@ -17,7 +17,7 @@ from apartgen.stages.layout import choice, wishes
 from apartgen.stages.layout import rooms as room_arrays
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.meals import AROUND, table_of
-from apartgen.stages.layout.projection.paths import radii
+from apartgen.stages.layout.projection.paths import walked_in
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import contents, features, furnishings, living, sampler, sizes, weights
 from apartgen.stages.layout.relations.living import BASKET
@@ -168,7 +168,7 @@ def _task(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, given: list[B
     least = _least(room, float(arrays.area[i]))
     if (table := table_of(plan)) and table[0] == room.id:  # whichever of them finds a place
         least, asked = (*least, TABLES), Counter({name: n for name, n in asked.items() if name not in TABLES})
-    empty = Furniture(space_of(arrays, i), radii(room.base))
+    empty = Furniture(space_of(arrays, i), walked_in(room.base))
     return Task(speaker, empty, tuple((o.category, _row(o, arrays.origin[i])) for o in given), asked,
                 room.id in plan.program.counts, least)
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from rooms_for_tests import box, one_room, room, some_rooms
 
-from apartgen.stages.layout.projection.paths import radii
+from apartgen.stages.layout.projection.paths import walked_in
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import elbowroom
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
@@ -189,7 +189,7 @@ def test_no_cupboard_narrows_the_hall_one_enters(kind: str, wide: float, there: 
 ])
 def test_between_things_at_both_walls_people_pass(base: str, gap: float, shut: bool) -> None:
     """A door in the south, floor in the north, benches at the west and the east wall across from one another."""
-    there = Furniture(space_of(one_room(0.8 + gap, 6.0), 0), radii(base))
+    there = Furniture(space_of(one_room(0.8 + gap, 6.0), 0), walked_in(base))
     there.add("bench", box((0.4, 1.0, 0.45), -(0.2 + gap / 2), 0.0))
     assert (there.shuts("bench", box((0.4, 1.0, 0.45), 0.2 + gap / 2, 0.0, np.pi)) >= CUT) == shut
 
