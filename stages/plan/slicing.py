@@ -46,10 +46,10 @@ PATH, AREA, ASPECT, CONVEX, CONCISE, OUTER, CORNER, LINES, FUNCTION, NARROW, _, 
 LACKING = 15
 SPEC = (
     "target", "loose", "width", "joint", "aspect", "form", "corners", "face", "corridor", "functional", "outer",
-    "private", "shaft", "across",
+    "private", "shaft", "across", "lean",
 )  # fmt: skip
 S_TARGET, S_LOOSE, S_WIDTH, S_JOINT, S_ASPECT, S_FORM, S_CORNERS, S_FACE, S_CORRIDOR = range(9)
-S_FUNCTION, S_OUTER, S_PRIVATE, S_SHAFT, S_ACROSS = range(9, 14)
+S_FUNCTION, S_OUTER, S_PRIVATE, S_SHAFT, S_ACROSS, S_LEAN = range(9, 15)
 LIMITS = ("least_stretch", "greatest_stretch", "inner_wall", "link_wall", "entrance_wall", "jog")
 L_SHORT, L_LONG, L_WALL, L_LINK, L_ENTRY, L_JOG = range(6)
 R_AREA, R_X0, R_Y0, R_X1, R_Y1, R_PIECES, R_JOINTS, R_MAIN, R_WIDTH, R_LEAST, R_FACE, R_OUTER, R_GAPS, R_RIM = range(14)

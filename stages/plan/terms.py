@@ -46,6 +46,7 @@ from apartgen.stages.plan.slicing import (
     S_FORM,
     S_FUNCTION,
     S_JOINT,
+    S_LEAN,
     S_LOOSE,
     S_OUTER,
     S_PRIVATE,
@@ -71,8 +72,6 @@ BLIND = 1.5
 """What a metre of hallway counts that leads nowhere."""
 OUTGROWN = 6.0
 """What counts, as a room that is too large, against a bedroom that is larger than the main one."""
-LEAN = 0.45
-"""Part by which a hallway may be smaller than it was thought, at no cost: the floor is better in the rooms."""
 BROADER = 2.0
 """What a metre of hallway's width counts beyond what two people pass in."""
 CERTAIN = 1e-9
@@ -90,15 +89,15 @@ def _shape(p: Problem, z: Scratch, bar: float) -> bool:
     for r in range(p.spec.shape[0]):
         room, want = z.room[r], p.spec[r]
         ratio = (room[R_AREA] + 0.01) * wanted / (want[S_TARGET] * total + 0.01)
-        lean = want[S_CORRIDOR] * (ratio < 1)
-        area += (max(ratio, 1 / ratio) - 1) * (1 - 0.5 * want[S_CORRIDOR]) * (1 - lean)
+        lean = want[S_LEAN] * (ratio < 1)
+        area += (max(ratio, 1 / ratio) - 1) * (1 - 0.5 * want[S_CORRIDOR]) * (lean == 0)
         w, h = max(room[R_X1] - room[R_X0] - thick, 0.1), max(room[R_Y1] - room[R_Y0] - thick, 0.1)
         aspect = max(w, h) / min(w, h)
         form += want[S_FORM] * (aspect - 1) + max(0.0, room[R_BROAD] - want[S_ACROSS])
         hull = 0.5 * (1 + w * h / (room[R_AREA] + 0.01)) - 1  # exact where only corners are missing
         convex += want[S_FORM] * hull * hull
         wide += want[S_CORRIDOR] * (BROADER * max(0.0, room[R_BROAD] - 1.3) + 0.25 * max(0.0, max(w, h) - 9.0))
-        lack = 3 * max(0.0, abs(ratio - 1) - max(want[S_LOOSE], LEAN * lean))
+        lack = 3 * max(0.0, abs(ratio - 1) - max(want[S_LOOSE], lean))
         lack += 2 * max(0.0, want[S_WIDTH] - room[R_WIDTH])
         lack += 2 * max(0.0, want[S_JOINT] - room[R_LEAST]) + max(0.0, aspect - want[S_ASPECT])
         if room[R_PIECES] - 1 > room[R_JOINTS]:

@@ -58,11 +58,12 @@ def row_of_three() -> tuple[Problem, Tree]:
     return p, Tree(nodes, np.array([3.0, 4.0, 5.0, 1.0]))
 
 
-def corridor(cuts: list[list[int]], shares: list[float]) -> Floats:
+def corridor(cuts: list[list[int]], shares: list[float], complete: bool = False) -> Floats:
     """Terms of a hallway of two rectangles, leaves 0 and 1, and a living room in 12 x 3 m between wall centre lines."""
     rooms = [{"id": f"{kind}_1", "type": kind, "area": 10.0} for kind in ("hallway", "living_room")]
     ring = [(0.05, 0.05), (11.95, 0.05), (11.95, 2.95), (0.05, 2.95)]
-    program = Program(rooms=rooms, links=[("hallway_1", "living_room_1")], envelope={"outline": ring})
+    links, envelope = [("hallway_1", "living_room_1")], {"outline": ring}
+    program = Program(rooms=rooms, links=links, envelope=envelope, complete=complete)
     p = problem(program, given(program.envelope, BARE.inner), Whim((2, 1), [], "rectangle", 1.0), BARE, Slack())
     nodes = np.array([[0, 0, 0], [0, 0, 0], [1, 0, 0], *cuts, [4, 0, 0]])
     return energy(p, Tree(nodes, np.array([*shares, 1.0])))[1]
@@ -96,6 +97,8 @@ def test_a_hallway_costs_nothing_for_floor_that_rooms_have_instead(hall: float, 
     ratio, other = (floors + 0.01) * 20 / (10 * floors.sum() + 0.01)
     terms = corridor([[0, 1, 1], [3, 2, 1]], [hall / 2, hall / 2, 12 - hall])
     assert terms[AREA] == pytest.approx(counts * (ratio - 1) + max(other, 1 / other) - 1, abs=1e-3)
+    told = corridor([[0, 1, 1], [3, 2, 1]], [hall / 2, hall / 2, 12 - hall], complete=True)  # its area is meant
+    assert told[AREA] == pytest.approx(0.5 * (max(ratio, 1 / ratio) - 1) + max(other, 1 / other) - 1, abs=1e-3)
 
 
 def test_a_bent_corridor_has_as_many_corners_too_many_as_any_bent_room() -> None:

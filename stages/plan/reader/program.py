@@ -27,7 +27,7 @@ from apartgen.stages.plan.reader.nurseries import children
 from apartgen.stages.plan.reader.parse import mentions, parse
 from apartgen.stages.plan.reader.requirements import requirements
 from apartgen.stages.plan.reader.shared_out import shared_out
-from apartgen.stages.plan.reader.sizes import room_areas
+from apartgen.stages.plan.reader.sizes import areas_told, room_areas
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.structured import in_sentences
 from apartgen.stages.plan.reader.style import style_of
@@ -45,6 +45,8 @@ ENDLESS = re.compile(r"[a-zà-öø-ÿœß]{100,}|[0-9]{100,}", re.IGNORECASE)
 LIVED_IN = ("living_room", "kitchen", "dining_room", "bedroom", "bathroom", "study")
 """Rooms that `a lamp in every room` speaks of."""
 
+AREAS_TOLD = 3.0
+"""What areas count where a prompt tells those of rooms."""
 IN_ROOM = {("kitchen_sink", "bathroom"): "vanity", ("chair", "balcony"): "balcony_chair",
            ("dining_table", "balcony"): "balcony_table"}  # fmt: skip
 """What things are in rooms where their name is that of others: the sink of a bathroom, the table on a balcony."""
@@ -164,6 +166,8 @@ def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Progr
     areas = room_areas(said, home, rooms, links, ids)
     sleep = children([e for e in ordered if e.type == "bedroom"], said.about.people, said.prompt)
     style = style_of(said)
+    if areas_told(said, home):
+        style["weights"]["typical_area"] = style["weights"].get("typical_area", 1.0) * AREAS_TOLD
     return Program(
         rooms=[
             AskedRoom(id=r.id, type=e.type, area=areas[r.id], private_to=r.private_to, children=sleep.get(id(e)))

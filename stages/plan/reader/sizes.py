@@ -25,6 +25,12 @@ SHARED = 11.5
 """Floor of a bedroom that two share, as it is asked for, m²: what is built may be a sixth less."""
 
 
+def areas_told(said: Said, home: Household) -> bool:
+    """Whether a prompt says how large rooms are, beyond large and small, or compares them."""
+    compared = any(s.kind in (Relation.COMPARE, Relation.EQUAL) for s in said.statements)
+    return said.equal or compared or any(e.area is not None or e.share is not None for e in home.rooms)
+
+
 def room_areas(
     said: Said, home: Household, rooms: list[AskedRoom], links: list[Link], ids: dict[int, str]
 ) -> dict[str, float]:

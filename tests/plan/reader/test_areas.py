@@ -3,6 +3,7 @@
 import pytest
 
 from apartgen.schemas.plan import AskedRoom
+from apartgen.stages.plan.reader import read
 from apartgen.stages.plan.reader.areas import fill, typical
 
 
@@ -35,3 +36,16 @@ def test_a_share_of_nothing_is_none() -> None:
     base = {"living_room_1": 30.0, "kitchen_1": 10.0}
     assert fill(asked, base, {}, {"kitchen_1": 0.0}, None) == base
     assert fill(asked, base, {}, {"kitchen_1": 0.0}, 40.0) == pytest.approx(base, abs=0.02)
+
+
+@pytest.mark.parametrize(("prompt", "told"), [
+    ("two-bedroom flat", False),
+    ("70 sqm two-bedroom flat with a large living room", False),
+    ("two-bedroom flat with a living room of 30 m²", True),
+    ("10 x 12 ft bedroom, living room, kitchen, bathroom", True),
+    ("one bedroom flat; the living room is twice as large as the bedroom", True),
+    ("two-bedroom flat, the living room takes up a third of the floor area", True),
+    ("two-bedroom flat, both bedrooms the same size", True),
+])  # fmt: skip
+def test_areas_count_for_more_where_those_of_rooms_are_told(prompt: str, told: bool) -> None:
+    assert (read(prompt).weights.get("typical_area", 1.0) > 1.0) == told
