@@ -18,7 +18,7 @@ from apartgen.stages.plan.slicing import L_WALL, R_COLUMNS, Ints, Problem, Scrat
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
-from apartgen.stages.plan.wished import ADJACENT, SERVING
+from apartgen.stages.plan.wished import ADJACENT, APART, SERVING
 from apartgen.stages.plan.wishes import wishes
 
 WET, WHIM, MEALS = 2, 3, 24
@@ -30,6 +30,9 @@ SERVED = 12.0
 """What a metre counts that the walls for the doors of such a kitchen and of that room are too far apart in a hall."""
 CUT_OFF = 0.05
 """Share of draws in which such a kitchen need not lie there."""
+PARTED, QUIET = 0.8, 12.0
+"""Share of draws in which two bedrooms, where there are no more, had better share no wall (people build a third of them
+so that they do), and what a metre of it counts then."""
 ODD = (0.6, 2.0)
 """Share of large rooms, and of living rooms, that are made of two rectangles where nothing need be regular."""
 
@@ -76,6 +79,7 @@ class Whim:
     envelope: Envelope = field(default_factory=Envelope)
     fronts: Mapping[str, float] = field(default_factory=dict)
     beside: list[tuple[int, int]] = field(default_factory=list)
+    parted: list[tuple[int, int]] = field(default_factory=list)
 
 
 def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
@@ -92,7 +96,9 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
     near = [(int(a), int(b), WHIM) for a, b in pairs]
     beside = _kitchens(program) if rng.random() >= CUT_OFF else []
     about = surrounded(program, aspect, gross_area(program, walls), failed, rng)
-    return Whim(parts, near, shape, aspect, about, fronts(whole), beside)
+    beds = [i for i, room in enumerate(program.rooms) if room.base == "bedroom"]
+    parted = [(beds[0], beds[1])] if rng.random() < PARTED and len(beds) == 2 else []
+    return Whim(parts, near, shape, aspect, about, fronts(whole), beside, parted)
 
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
@@ -157,6 +163,7 @@ def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Pr
         wishes=np.vstack([
             wishes(program) * (1.0, 1.0, 1.0, 1.0, 1.0, slack.heed),
             *((ADJACENT, kitchen, living, 0.0, 0.0, COOK * strict) for kitchen, living in whim.beside),
+            *((APART, *pair, 0.0, 0.0, QUIET * strict) for pair in whim.parted),
             *((SERVING, *pair, *doors, SERVED * strict) for pair in whim.beside for doors in _off_one(program, *pair)),
         ]),
         weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),

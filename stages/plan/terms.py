@@ -66,7 +66,7 @@ from apartgen.stages.plan.wished import gap, wished
 
 LACK = 60.0
 """What a metre that is lacking costs."""
-ALONE, RISER = 5.0, 1.0
+ALONE, RISER = 9.0, 1.0
 """What counts against a bathroom with less wall than this on the outline, m, where the risers are."""
 BLIND = 1.5
 """What a metre of hallway counts that leads nowhere."""

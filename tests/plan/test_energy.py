@@ -7,7 +7,7 @@ from apartgen.schemas.plan import Program, Walls
 from apartgen.stages.plan import PlanConfig, kernel
 from apartgen.stages.plan.blocks import given
 from apartgen.stages.plan.outline import draw
-from apartgen.stages.plan.problem import WHIM, Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
+from apartgen.stages.plan.problem import QUIET, WHIM, Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
 from apartgen.stages.plan.slicing import (
     AREA,
     ASPECT,
@@ -194,3 +194,25 @@ def _drawn(name: str, seed: int) -> tuple[Problem, Tree]:
         problem(program, outline, wanted, config.walls, Slack()),
         start(known(program), wanted.parts, outline.stretch, rng),
     )
+
+
+def test_walls_between_two_bedrooms_count_in_most_draws_and_between_three_in_none() -> None:
+    # 12 x 3 m: a living room in the middle parts the bedrooms; beside them it leaves them 3 m of wall, 2 of which count
+    rooms = [{"id": name, "type": name[:-2], "area": 10.0} for name in ("bedroom_1", "living_room_1", "bedroom_2")]
+    ring = [(0.05, 0.05), (11.95, 0.05), (11.95, 2.95), (0.05, 2.95)]
+    links = [("living_room_1", "bedroom_1"), ("living_room_1", "bedroom_2")]
+    program = Program(rooms=rooms, links=links, envelope={"outline": ring})
+    drawn = [whim(program, BARE, 0, np.random.default_rng(seed)).parted for seed in range(200)]
+    assert {*map(tuple, drawn)} == {(), ((0, 2),)} and 0.7 < np.mean([bool(pairs) for pairs in drawn]) < 0.9
+    another = [*rooms, {"id": "bedroom_3", "type": "bedroom"}]
+    more = Program(rooms=another, envelope={"outline": ring})
+    assert not any(whim(more, BARE, 0, np.random.default_rng(seed)).parted for seed in range(50))
+
+    def costs(middle: int, last: int, parted: list[tuple[int, int]]) -> float:
+        wanted = Whim((1, 1, 1), [], "rectangle", 1.0, parted=parted)
+        p = problem(program, given(program.envelope, BARE.inner), wanted, BARE, Slack())
+        nodes = np.array([[0, 0, 0], [middle, 0, 0], [last, 0, 0], [0, 1, 1], [3, 2, 1], [4, 0, 0]])
+        return energy(p, Tree(nodes, np.array([4.0, 4.0, 4.0, 1.0])))[0]
+
+    assert costs(1, 2, [(0, 2)]) == pytest.approx(costs(1, 2, []))
+    assert costs(2, 1, [(0, 2)]) == pytest.approx(costs(2, 1, []) + 2.0 * QUIET)
