@@ -10,6 +10,8 @@ OFF = 0.3
 """Nobody minds less than this beside the axis, m."""
 ASIDE, FLOATING, UNPAIRED = 0.3, 0.7, 0.2
 """What costs: each thing beside its axis, a sofa with its back to nothing, a bed whose nightstands are no pair."""
+TURNED, FARTHEST = 0.8, 1.0
+"""What each metre more costs that a screen is beside the axis, for heads are turned to it; up to so many."""
 BACKED = 0.35
 """A sofa's back is at a wall or at something within this, m."""
 
@@ -24,11 +26,12 @@ def _sofa(room: Furnished) -> float:
     if main is None:
         return 0.0
     tables = [t for t in room.which("coffee_table") if before(room, main, t)]
-    aims = tables + [s for s in shown(room) if room.aside[main, s] < 60]
-    far = sum(abs(room.left[main, k]) > OFF for k in aims)
+    screens = [s for s in shown(room) if room.aside[main, s] < 60]
+    far = sum(abs(room.left[main, k]) > OFF for k in tables + screens)
+    turned = sum(min(max(abs(room.left[main, k]) - OFF, 0.0), FARTHEST) for k in screens)
     backed = room.back[main] < BACKED or any(
         k != main and room.gap[main, k] < BACKED and room.ahead[main, k] < 0 for k in room.upright)
-    return float(ASIDE * far + FLOATING * (not backed))
+    return float(ASIDE * far + TURNED * turned + FLOATING * (not backed))
 
 
 def _bed(room: Furnished, bed: int) -> float:

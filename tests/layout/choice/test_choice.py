@@ -91,6 +91,14 @@ def test_a_far_screen_and_a_near_table_cost_more(screen: float | None, table: fl
     assert choice.parts(room("living_room", 9.0, 5.0, *things))["distances"] == pytest.approx(cost, abs=1e-3)
 
 
+@pytest.mark.parametrize("aside, cost", [(0.0, 0.0), (0.25, 0.0), (0.8, 0.3 + 0.8 * 0.5), (1.6, 0.3 + 0.8 * 1.0)])
+def test_a_screen_beside_the_axis_costs_more_the_farther_it_is(aside: float, cost: float) -> None:
+    """From a sofa at the wall, a stand 3 m ahead of its front."""
+    things = [thing("sofa", 3.0, 0.5, NORTH, (0.9, 2.0, 0.8)),
+              thing("tv_stand", 3.0 + aside, 4.2, SOUTH, (0.4, 1.6, 0.5))]
+    assert choice.parts(room("living_room", 9.0, 5.0, *things))["axes"] == pytest.approx(cost, abs=1e-3)
+
+
 @pytest.mark.parametrize("far, cost", [(1.0, 0.0), (3.0, 0.0), (5.0, 0.5)])
 def test_a_table_far_from_where_dishes_come_in_costs_more(far: float, cost: float) -> None:
     """Their door is in the middle of the south wall; where nobody knows of one, nothing is said."""
