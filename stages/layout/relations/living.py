@@ -16,8 +16,8 @@ from apartgen.stages.use.site import Site
 
 BASKET, KEPT = "laundry_basket", 0.25
 """What is in one home of four where linen is kept, and then in no bedroom."""
-SCREEN, WATCHED, FLOOR = {"tv_stand": 1, "tv": 1}, 0.4, 11.0
-"""What is wanted in two main bedrooms of five of so much floor, m²; in three of ten it finds a place, so that people's
+SCREEN, WATCHED, FLOOR = {"tv_stand": 1, "tv": 1}, 0.55, 11.0
+"""What is wanted in so many main bedrooms of so much floor, m²; in four of ten it finds a place, so that people's
 share, one of five of all double beds, have it."""
 SECOND = "loveseat"
 
