@@ -97,7 +97,7 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
     beside = _kitchens(program) if rng.random() >= CUT_OFF else []
     about = surrounded(program, aspect, gross_area(program, walls), failed, rng)
     beds = [i for i, room in enumerate(program.rooms) if room.base == "bedroom"]
-    parted = [(beds[0], beds[1])] if rng.random() < PARTED and len(beds) == 2 else []
+    parted = [(beds[0], beds[1])] if len(beds) == 2 and rng.random() < PARTED else []
     return Whim(parts, near, shape, aspect, about, fronts(whole), beside, parted)
 
 
