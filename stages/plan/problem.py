@@ -19,9 +19,9 @@ from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
 from apartgen.stages.plan.wished import ADJACENT, APART, SERVING
-from apartgen.stages.plan.wishes import wishes
+from apartgen.stages.plan.wishes import placed, wishes
 
-WET, WHIM, MEALS = 2, 3, 24
+WET, WHIM, MEALS = 3, 3, 24
 """What it counts that wet rooms, rooms of a draw, kitchen and dining room are near one another."""
 COOK = 40.0
 """What a metre counts that lacks of the wall between a kitchen without a door to where one eats and that room, while
@@ -51,6 +51,8 @@ metres; within a given one in metres."""
 
 LEAN = 0.45
 """Part by which a hallway may be smaller than it was thought, at no cost: the floor is better in the rooms."""
+LONE, ALONE = 13.0, 5.0
+"""What counts against a bathroom without wall on the outline, where the risers are; where places of rooms are told."""
 JOG = 0.6
 """Depth up to which a jog of a given outline leaves a room as wide as it is beside it, m."""
 
@@ -97,7 +99,7 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
     beside = _kitchens(program) if rng.random() >= CUT_OFF else []
     about = surrounded(program, aspect, gross_area(program, walls), failed, rng)
     beds = [i for i, room in enumerate(program.rooms) if room.base == "bedroom"]
-    parted = [(beds[0], beds[1])] if len(beds) == 2 and rng.random() < PARTED else []
+    parted = [(beds[0], beds[1])] if len(beds) == 2 and not placed(program) and rng.random() < PARTED else []
     return Whim(parts, near, shape, aspect, about, fronts(whole), beside, parted)
 
 
@@ -148,10 +150,8 @@ def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Pr
     index = {r.id: i for i, r in enumerate(rooms)}
     joined = {r for pair in program.open_links for r in pair}
     strict, jog = slack == Slack(), 0.0 if program.envelope.outline is None else JOG
-    lean = _lean(program)
     spec = [
-        _spec(room, wanted[room.id], room.id in joined, whim.fronts.get(room.id, 0.0), slack, _arm(program, room), lean)
-        for room in rooms
+        _spec(program, room, wanted[room.id], room.id in joined, whim.fronts.get(room.id, 0.0), slack) for room in rooms
     ]
     return Problem(
         spec=np.array(spec),
@@ -172,7 +172,7 @@ def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Pr
 
 
 def _spec(
-    room: AskedRoom, area: float, joined: bool, front: float, slack: Slack, arm: float, lean: float
+    program: Program, room: AskedRoom, area: float, joined: bool, front: float, slack: Slack
 ) -> tuple[float, ...]:
     norm = STANDARDS[room.base]
     passage = room.type in ("hallway", "balcony")
@@ -180,7 +180,7 @@ def _spec(
         area,
         2.5 * slack.area if room.type == "hallway" else slack.area,
         min(norm.width, 0.95 * np.sqrt(area)),
-        min(norm.width, arm),
+        min(norm.width, _arm(program, room)),
         norm.aspect * slack.aspect,
         0.02 if passage else 1.0,
         4.0,
@@ -189,9 +189,9 @@ def _spec(
         norm.functional,
         norm.outer,
         {"bedroom": 1.0, "living_room": -1.0}.get(room.type, 0.0),
-        room.type == "bathroom",
+        (room.type == "bathroom") * (ALONE if placed(program) else LONE),
         max(norm.across, np.sqrt(area / (LONGEST * norm.aspect))) if norm.across else np.inf,
-        lean * (room.type == "hallway"),
+        (room.type == "hallway") * _lean(program),
     )
 
 

@@ -66,8 +66,8 @@ from apartgen.stages.plan.wished import gap, wished
 
 LACK = 60.0
 """What a metre that is lacking costs."""
-ALONE, RISER = 9.0, 1.0
-"""What counts against a bathroom with less wall than this on the outline, m, where the risers are."""
+RISER = 1.0
+"""Wall of a bathroom on the outline, where the risers are, m."""
 BLIND = 1.5
 """What a metre of hallway counts that leads nowhere."""
 OUTGROWN = 6.0
@@ -211,7 +211,7 @@ def _relations(p: Problem, z: Scratch) -> None:  # ways, shares of outside walls
         room, want = z.room[r], p.spec[r]
         total, functional = total + room[R_AREA], functional + room[R_AREA] * want[S_FUNCTION]
         outer, held = outer + room[R_OUTER], held + room[R_OUTER] * want[S_OUTER]
-        terms[NEAR] += ALONE * want[S_SHAFT] * (room[R_RIM] < RISER)
+        terms[NEAR] += want[S_SHAFT] * (room[R_RIM] < RISER)
     away, unlived = held / (outer + 0.01) - 1, 1 - functional / (total + 0.01)
     terms[OUTER], terms[FUNCTION] = away * away * n, unlived * unlived * n
     for i in range(p.near.shape[0]):

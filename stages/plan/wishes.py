@@ -29,6 +29,11 @@ CLOSE = 0.02
 """Part by which an area may be off that was said."""
 
 
+def placed(program: Program) -> bool:
+    """Whether it tells where rooms lie."""
+    return any(asked.kind == "position" for asked in program.requirements)
+
+
 def wishes(program: Program) -> Floats:
     """One row (6,) for each requirement of rooms of the programme that an arrangement can be better or worse at."""
     index = {room.id: i for i, room in enumerate(program.rooms)}

@@ -7,7 +7,20 @@ from apartgen.schemas.plan import Program, Walls
 from apartgen.stages.plan import PlanConfig, kernel
 from apartgen.stages.plan.blocks import given
 from apartgen.stages.plan.outline import draw
-from apartgen.stages.plan.problem import QUIET, WHIM, Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
+from apartgen.stages.plan.problem import (
+    ALONE,
+    LONE,
+    QUIET,
+    WHIM,
+    Slack,
+    Whim,
+    copy,
+    gross_area,
+    problem,
+    scratch,
+    weighed,
+    whim,
+)
 from apartgen.stages.plan.slicing import (
     AREA,
     ASPECT,
@@ -204,6 +217,9 @@ def test_walls_between_two_bedrooms_count_in_most_draws_and_between_three_in_non
     program = Program(rooms=rooms, links=links, envelope={"outline": ring})
     drawn = [whim(program, BARE, 0, np.random.default_rng(seed)).parted for seed in range(200)]
     assert {*map(tuple, drawn)} == {(), ((0, 2),)} and 0.7 < np.mean([bool(pairs) for pairs in drawn]) < 0.9
+    asked = [{"id": "asked_1", "kind": "position", "of": "bedroom_1", "value": "west"}]
+    told = Program(rooms=rooms, links=links, requirements=asked)
+    assert not any(whim(told, BARE, 0, np.random.default_rng(seed)).parted for seed in range(50)), "it has a place"
     another = [*rooms, {"id": "bedroom_3", "type": "bedroom"}]
     more = Program(rooms=another, envelope={"outline": ring})
     assert not any(whim(more, BARE, 0, np.random.default_rng(seed)).parted for seed in range(50))
@@ -216,3 +232,20 @@ def test_walls_between_two_bedrooms_count_in_most_draws_and_between_three_in_non
 
     assert costs(1, 2, [(0, 2)]) == pytest.approx(costs(1, 2, []))
     assert costs(2, 1, [(0, 2)]) == pytest.approx(costs(2, 1, []) + 2.0 * QUIET)
+
+
+@pytest.mark.parametrize(("asked", "counts"), [([], LONE), (["living_room_1"], ALONE)])
+def test_a_bathroom_off_the_outline_counts_for_less_where_places_are_told(asked: list[str], counts: float) -> None:
+    """Four rooms in a row south of a hallway, then the bathroom behind the bedroom, between two others."""
+    kinds = ("living_room", "bathroom", "bedroom", "study", "hallway")
+    rooms = [{"id": f"{kind}_1", "type": kind, "area": 10.0} for kind in kinds]
+    ring = [(0.05, 0.05), (11.95, 0.05), (11.95, 7.95), (0.05, 7.95)]
+    wishes = [{"id": "asked_1", "kind": "position", "of": room, "value": "west"} for room in asked]
+    links = [("hallway_1", f"{kind}_1") for kind in kinds[:4]]
+    program = Program(rooms=rooms, links=links, envelope={"outline": ring}, requirements=wishes)
+    p = problem(program, given(program.envelope, BARE.inner), Whim((1,) * 5, [], "rectangle", 1.0), BARE, Slack())
+    leaves, shares = [[room, 0, 0] for room in range(5)], np.array([6.0, 2.0, 6.0, 6.0, 4.0, 1.0])
+    row = np.array([*leaves, [0, 1, 1], [5, 2, 1], [6, 3, 1], [7, 4, 0], [8, 0, 0]])
+    behind = np.array([*leaves, [2, 1, 0], [0, 5, 1], [6, 3, 1], [7, 4, 0], [8, 0, 0]])
+    outer, inner = (energy(p, Tree(nodes, shares))[1] for nodes in (row, behind))
+    assert inner[NEAR] - outer[NEAR] == pytest.approx(counts)

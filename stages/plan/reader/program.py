@@ -46,7 +46,7 @@ LIVED_IN = ("living_room", "kitchen", "dining_room", "bedroom", "bathroom", "stu
 """Rooms that `a lamp in every room` speaks of."""
 
 AREAS_TOLD = 3.0
-"""What areas count where a prompt tells those of rooms."""
+"""What areas count where a prompt tells those of rooms, but not where they lie, which is the rarer wish."""
 IN_ROOM = {("kitchen_sink", "bathroom"): "vanity", ("chair", "balcony"): "balcony_chair",
            ("dining_table", "balcony"): "balcony_table"}  # fmt: skip
 """What things are in rooms where their name is that of others: the sink of a bathroom, the table on a balcony."""
@@ -166,7 +166,8 @@ def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Progr
     areas = room_areas(said, home, rooms, links, ids)
     sleep = children([e for e in ordered if e.type == "bedroom"], said.about.people, said.prompt)
     style = style_of(said)
-    if areas_told(said, home):
+    wanted = requirements(said, home, ids)
+    if areas_told(said, home) and not any(asked.kind == "position" for asked in wanted):
         style["weights"]["typical_area"] = style["weights"].get("typical_area", 1.0) * AREAS_TOLD
     return Program(
         rooms=[
@@ -183,7 +184,7 @@ def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Progr
         envelope=_envelope(said),
         complete=complete,
         unread=with_clauses(said.unread, said.beyond, said.prompt),
-        requirements=requirements(said, home, ids),
+        requirements=wanted,
     )
 
 

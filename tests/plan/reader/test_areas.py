@@ -46,6 +46,7 @@ def test_a_share_of_nothing_is_none() -> None:
     ("one bedroom flat; the living room is twice as large as the bedroom", True),
     ("two-bedroom flat, the living room takes up a third of the floor area", True),
     ("two-bedroom flat, both bedrooms the same size", True),
+    ("two-bedroom flat with a living room of 30 m² in the south", False),
 ])  # fmt: skip
-def test_areas_count_for_more_where_those_of_rooms_are_told(prompt: str, told: bool) -> None:
+def test_areas_count_for_more_where_those_of_rooms_are_told_and_no_places(prompt: str, told: bool) -> None:
     assert (read(prompt).weights.get("typical_area", 1.0) > 1.0) == told
