@@ -104,9 +104,8 @@ _SAID = rules((
      r"(?:the )?"
      r"(?P<to>living room|lounge|kitchen)\b", r"the entrance is in the \g<to>"),
     (r"\b(living room|lounge) with (?:the |an? )?kitchen (?:inside|in it|within)\b", r"\1 with an open kitchen"),
-    (r"(?:(?<=[.;] )|^)two doors ?[:,] ?one (?:for|to|into|in) (?:the |an? )?(?P<a>{room}),? (?:and )?(?:one|the other|another) "
-     r"(?:for|to|"
-     r"into|in) (?:the |an? )?(?P<b>{room}){end}",
+    (r"(?:(?<=[.;] )|^)two doors ?[:,] ?one (?:for|to|into|in) (?:the |an? )?(?P<a>{room}),? (?:and )?"
+     r"(?:one|the other|another) (?:for|to|into|in) (?:the |an? )?(?P<b>{room}){end}",
      r"the living room has a door to the \g<a> and a door to the \g<b>"),
     # "One bedroom with big wardrobe and place for washing machine": it is not the bedroom's
     (r"(\bbed ?rooms?\b[^.;]*?),? and (?:an? |some )?(?:place|space|room) for (?:the |an? |our )?washing[ -]?machine\b",
