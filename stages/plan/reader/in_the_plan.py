@@ -44,8 +44,7 @@ def _around_bedrooms(found: re.Match[str]) -> str:
 
 _SAID = rules((
     # "layout for assistive robot study": no room
-    (r"\b((?:robot(?:ics)?|user|usability|research|case|field|pilot|navigation|simulation|feasibility|lighting|hri|"
-     r"interaction|clinical) )stud(?:y|ies)\b(?! room)", r"\1experiment"),
+    (r"\b(robot(?:ics)?) stud(?:y|ies)\b(?! room)", r"\1 research"),
     (r"\b(study|office) (?:for|as)(?: an?| my| the| our)? (?:home[ -]office|home working|working from home)\b", r"\1"),
     # "a loop between kitchen, dining room and living room"
     (r"(?:[,;]? ?\band )?\b(?:there(?: is|'s) |i want |we want |make |with )?(?:an? |the "
@@ -100,7 +99,7 @@ _SAID = rules((
      r"\g<my> \g<who> lives with us. the \g<who>'s bedroom is \g<where>"),
     # "Flat has not corridor. You enter direct in the living room. Two doors: one for bedroom and one for bathroom"
     (r"\b(?:has|have) not (?:an? |any )?(?={room}s?\b|entrance hall\b)", "has no "),
-    (r"\b(?:you|we|one|i) (?:enter|come|step|walk) (?:in )?(?:direct|directly|straight|right)(?:ly)? in(?:to)? "
+    (r"\b(?:you|we|one|i) enter (?:direct|directly) in(?:to)? "
      r"(?:the )?"
      r"(?P<to>living room|lounge|kitchen)\b", r"the entrance is in the \g<to>"),
     (r"\b(living room|lounge) with (?:the |an? )?kitchen (?:inside|in it|within)\b", r"\1 with an open kitchen"),
