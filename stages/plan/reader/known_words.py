@@ -15,6 +15,7 @@ from apartgen.stages.plan.reader.everywhere import everywhere
 from apartgen.stages.plan.reader.for_whom import for_whom_said
 from apartgen.stages.plan.reader.homely import at_home, without_false_friends
 from apartgen.stages.plan.reader.in_numbers import in_numbers
+from apartgen.stages.plan.reader.in_the_plan import in_the_plan
 from apartgen.stages.plan.reader.in_things import in_things
 from apartgen.stages.plan.reader.in_units import in_units
 from apartgen.stages.plan.reader.instead_of import instead_of
@@ -50,7 +51,7 @@ from apartgen.stages.plan.reader.whose import whose_rooms
 
 def in_known_words(prompt: str) -> str:
     """A prompt folded, with its clauses in such words."""
-    said = at_sides(tersely(in_places(in_things(in_numbers(in_units(fold(scheduled(prompt))))))))
+    said = at_sides(tersely(in_places(in_things(in_numbers(in_units(in_the_plan(fold(scheduled(prompt)))))))))
     said = once_counted(said)
     plain = whose_place(whose_rooms(commonly(without_false_friends(said))))
     told = every_day(at_home(everywhere(for_whom_said(simply(lived(as_typed(plain)))))))

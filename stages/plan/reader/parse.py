@@ -40,7 +40,7 @@ from apartgen.stages.plan.reader.resized import of_the_last
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
 from apartgen.stages.plan.reader.tokens import tokenize
-from apartgen.stages.plan.reader.unread import can_be_met, limits
+from apartgen.stages.plan.reader.unread import can_be_met, limits, without_taken
 from apartgen.stages.plan.reader.uses import for_whom, sharers, uses
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
@@ -53,7 +53,7 @@ def parse(prompt: str) -> Said:
     lexicon = read_lexicon()
     working, text = working_at_home(prompt)
     folded = in_known_words(text)
-    placed, beyond = beside_things(folded)
+    placed, beyond = beside_things(without_taken(folded))
     people, text = housed(placed)
     whole, text = about(text)
     whole = replace(whole, people=people or whole.people or working.people, lived=whole.lived or working.speaking)

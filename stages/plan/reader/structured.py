@@ -15,7 +15,8 @@ _INDENTED = re.compile(r"^\w[\w ]*:\s*\n\s+[\w\"'-].*", re.MULTILINE)
 _CALL = re.compile(r"(?P<before>[\w .:=/-]{1,60}?)[(:=]\s*(?P<fields>\{.*\})\s*\)?[;.]?", re.DOTALL)
 """`plan_home({"bedrooms": 2})`, `Tool call: plan. Args: {…}`."""
 _BOUNDS = {">=": "at least", "≥": "at least", ">": "at least", "<=": "at most", "≤": "at most", "<": "at most"}
-
+_COUNTED = re.compile(r"\b(\w*(?:bedrooms|bathrooms|balconies|toilets))\s*:?\s*(?:>=|≥)\s*(\d)(?=\s*(?:[;,|\n]|$))")
+"""`bedrooms>=2`: so many, and no area."""
 
 DEEPEST = 20
 """Brackets within brackets that a prompt may have to be read as fields."""
@@ -23,6 +24,7 @@ DEEPEST = 20
 
 def in_sentences(prompt: str) -> str:
     """A prompt whose every field is understood as sentences, each other one as it is."""
+    prompt = _COUNTED.sub(r"\1=\2", prompt)
     text = prompt.strip()
     call = _CALL.fullmatch(text)
     if call and (told := in_sentences(call["fields"])) != call["fields"]:

@@ -35,6 +35,13 @@ def limits(text: str) -> list[tuple[str, str]]:
     ]
 
 
+def without_taken(text: str) -> str:
+    """A folded text without those of them that rooms would be told by: `doors at least 90 cm wide`."""
+    for pattern in [one for row in _limits() if row.get("taken") for one in row["find"]]:
+        text = late(pattern).sub("", text)
+    return text
+
+
 def _why(before: str, why: str) -> str:
     """What is told of words behind such a text."""
     if DENIED.search(before):
