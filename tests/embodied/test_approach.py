@@ -1,5 +1,7 @@
 """How the manipulator gets to its work: driven, parked, planned from where it rests, against friction."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from embodied.test_interact import CARCASS, HIGH, block, chest, drawer, flat, link, opened  # noqa: F401 (a fixture)
@@ -121,3 +123,15 @@ def test_a_heavier_base_drives_the_same_ways(flat):  # noqa: F811
     a, b = light.drive(at), heavy.drive(at)
     assert a.reason == b.reason == "" and b.metres == pytest.approx(a.metres, rel=1e-3)
     assert b.seconds == pytest.approx(a.seconds, rel=0.02)
+
+
+@pytest.mark.parametrize("met, fits", [
+    ((-1, -1, -1), True), ((-1, -1, 0), False), ((0, 0, 0), False), ((7, -1, -1), False)])
+def test_where_anything_is_met_while_the_part_moves_the_robot_does_not_stand(met, fits):
+    """Geoms are numbered from 0; -1 is none."""
+    probe = SimpleNamespace(hit=lambda posture, part, value: met[round(value * 2)])
+    planner = SimpleNamespace(probe=probe, part=None, values=np.array([0.0, 0.5, 1.0]))
+    search = stand._Search.__new__(stand._Search)
+    search.planner, search.part = planner, None
+    place = stand.Stand(np.zeros(3))
+    assert list(search._fitting([place])) == ([place] if fits else [])

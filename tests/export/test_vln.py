@@ -16,7 +16,7 @@ from shapely.ops import unary_union
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages import export
-from apartgen.stages.export import _told_ways, vln
+from apartgen.stages.export import _legs, _told_ways, vln
 from apartgen.stages.robot import reach
 from apartgen.stages.space import polygons
 from apartgen.stages.things.categories import TABLE
@@ -185,6 +185,15 @@ def test_in_a_mirror_left_is_right(episodes, home, tmp_path):
             assert text == re.sub("left|right", lambda found: swapped[found[0]], there)
             compared.add(text)
     assert len(compared) >= 15 and any("left" in text for text in compared)
+
+
+@pytest.mark.parametrize("y, side", [(0.5, "left"), (0.4, None), (0.0, None), (-0.4, None), (-0.5, "right")])
+def test_what_is_passed_is_aside_by_a_hand_and_more(y, side):
+    """A way 3 m to the east, and beside its middle a stool of 40 cm: 30, 20 and no centimetres from it."""
+    home = handmade.home(handmade.thing("stool", 2.0, 1.5 + y, size=(0.4, 0.4, 0.5), id="stool"))
+    leg = _legs.Leg(handmade.LIVING, np.array([[0.5, 1.5], [3.5, 1.5]]), None, None, [], 0.0)
+    found = [("left" if one.left else "right", one.at) for one in _legs.passed(home, leg, ["stool"])]
+    assert found == ([(side, pytest.approx(1.5))] if side else [])
 
 
 def test_two_rooms_by_hand(tmp_path):

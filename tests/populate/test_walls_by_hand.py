@@ -70,3 +70,11 @@ def test_a_room_without_a_door_has_its_switch_beside_the_way_in_and_none_at_a_wi
     assert len(found) == 1 and found[0].center[2] == walls.SWITCH
     assert found[0].center[0] == pytest.approx(4.1, abs=0.01)
     assert min(abs(found[0].center[1] - 1.0), abs(found[0].center[1] - 1.9)) < 0.4 and not 1 < found[0].center[1] < 1.9
+
+
+@pytest.mark.parametrize("first, last, covers", [
+    (-0.6, 0.0, False), (-0.6, 0.01, True), (2.99, 3.5, True), (3.0, 3.5, False)])
+def test_what_ends_where_a_wall_begins_covers_none_of_it(first, last, covers):
+    face = faces.Face(np.zeros(2), np.array([1.0, 0.0]), np.array([0.0, 1.0]), 3.0, [])
+    corners = np.array([[first, 0.0], [last, 0.0], [last, 0.5], [first, 0.5]])
+    assert list(faces._strip(face, corners, 0.0, 0.9)) == ([(first, last, 0.0, 0.9)] if covers else [])

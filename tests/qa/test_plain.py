@@ -12,7 +12,7 @@ from apartgen.stages import qa, seeds
 from apartgen.stages.qa import fronts, plain
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.kinds import count, direction, in_front, left_of, nearer, route, where
+from apartgen.stages.qa.kinds import appearance_order, count, direction, in_front, left_of, nearer, route, where
 from apartgen.stages.retrieve.furniture import looks as looks_of_furniture
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike
@@ -378,3 +378,12 @@ def test_what_sofas_have_of_their_own_has_no_name():
 def test_shelves_side_by_side_may_be_one(gap, yes):
     shelves = [h.thing("bookshelf", 0.2, y, size=(0.3, 0.8, 1.8), id=f"shelf_{y}") for y in (1.0, 1.8 + gap)]
     assert plain.side_by_side(facts([], shelves), [o.id for o in shelves]) == yes
+
+
+@pytest.mark.parametrize("pixels, first", [([0, 80, 400], 1), ([0, 50, 400], None), ([0, 10, 400], 2), ([70, 0, 0], 0)])
+def test_a_thing_appears_where_it_covers_six_thousandths_of_a_picture(monkeypatch, pixels, first):
+    """Of 10,000 pixels 60; what was seen by more than a fifth of that before it appeared may have been noticed."""
+    monkeypatch.setattr(Facts, "known", lambda self, view: {SOFA.id})
+    shown = [{SOFA.id: (some, (40, 40, 20, 20))} if some else {} for some in pixels]
+    found = facts(shown, [SOFA], "route")
+    assert appearance_order._first(found, list(found.views), SOFA.id) == first

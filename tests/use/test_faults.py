@@ -147,6 +147,15 @@ def test_an_armchair_belongs_to_the_group_and_leaves_chairs_to_be_drawn_back() -
     assert "armchair against the dining table" not in said("living_room", *group, chair)
 
 
+@pytest.mark.parametrize(("aside", "company"), [(-59.5, True), (0, True), (59.5, True), (60.5, False), (-60.5, False)])
+def test_a_coffee_table_is_an_armchairs_where_it_is_no_more_than_60_degrees_aside(aside: float, company: bool) -> None:
+    """A table of half a metre whose middle is 1.2 m away: at most 90 cm from the chair."""
+    x, y = 1.2 * np.cos(np.radians(aside)), 1.2 * np.sin(np.radians(aside))
+    found = said("living_room", thing("armchair", 3.0, 3.0, EAST),
+                 thing("coffee_table", 3.0 + x, 3.0 + y, EAST, (0.5, 0.5, 0.4)))
+    assert ("armchair looks at nothing" not in found) == company
+
+
 def test_coats_hang_near_the_entrance() -> None:
     for x, far in ((1.0, False), (7.5, True)):
         place = room("hallway", 8.0, 2.0, thing("coat_rack", x, 1.7, SOUTH))

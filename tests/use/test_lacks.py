@@ -135,6 +135,7 @@ def test_two_sleep_where_there_is_floor_and_a_couple_in_the_largest_bedroom(
     (2.0, ["single_bed"], 0), (2.3, ["single_bed"], 1), (2.3, ["single_bed", "desk"], 0), (3.4, ["double_bed"], 0),
     (2.6, ["bunk_bed"], 1), (3.0, ["bunk_bed"], 2), (3.0, ["bunk_bed", "desk"], 1), (3.0, ["single_bed"] * 2, 1),
     (3.4, ["single_bed"] * 2, 2), (3.4, ["single_bed", "single_bed", "desk", "desk"], 0), (3.4, [], 0),
+    (3.4, ["single_bed"], 1),
 ])
 def test_who_shares_no_bed_wants_a_desk_of_their_own_where_there_is_floor(
         width: float, things: list[str], few: int) -> None:

@@ -80,3 +80,14 @@ def test_only_small_rooms_of_two_to_five_needed_pieces_are_planned_anew(many, ar
     site = SimpleNamespace(floors={h.BEDROOM: box(0, 0, area, 1)}, config=WalkableConfig(drop=False))
     plans = list(rearrange.rearranged(site, SimpleNamespace(scene=things), SimpleNamespace(target=None)))
     assert bool(plans) == found and all(len(some) == min(3, many) for some in plans)
+
+
+@pytest.mark.parametrize("got, wanted", [
+    ({0}, "shelf"), ({1}, "robe"), ({-1, 0}, "shelf"), ({-1}, "shelf"), (set(), "shelf")])
+def test_what_is_missed_in_a_room_that_is_got_into_comes_first(got, wanted):
+    """A shelf in the first room and a wardrobe in the second; the floor of a doorway is of no room, which is -1."""
+    home = h.home(h.thing("bookshelf", 1.0, 0.3, id="shelf"), h.thing("wardrobe", 5.5, 0.35, room=h.BEDROOM, id="robe"))
+    cells = np.array([-1, 0, 1])
+    site = SimpleNamespace(world=SimpleNamespace(plan=home, rooms=cells))
+    now = SimpleNamespace(got=np.isin(cells, list(got)), scene=home.objects)
+    assert repair._nearest(site, now, ["shelf", "robe"]) == wanted

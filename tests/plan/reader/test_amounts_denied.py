@@ -14,6 +14,8 @@ SENTENCES = [
     ("One bedroom, 22 m² living room, not 26 m².", "B L", "L1=22, !all=26"),
     ("One bedroom. The living room has 26 m² - er, 22.", "B L", "L1=22, !unread er"),
     ("One bedroom. The living room has 26 m². Make it 22 instead.", "B L", "L1=22, !unread instead"),
+    ("Two bedrooms. Three bedrooms instead.", "B3 H K L W2", "!unread instead"),
+    ("Two bedrooms, a kitchen. A study instead.", "B2 H K L S W", "unread instead"),
     ("A 70 m² flat, not 80 m², with two bedrooms.", "B2 H K L W", "all=70, !unread 80"),
     ("Two bedrooms, 12 and 10 m², sorry, 12 and 11.", "B2 H K L W", "B1=12, B2=11"),
     ("One bedroom. Living room 26 m², kitchen 9 m². Sorry, the living room is 22 m².", "B H K L W", "L1=22, K1=9"),

@@ -95,3 +95,14 @@ def test_no_room_is_added_to_a_whole_plan() -> None:
 def test_lengths_and_widths(text: str, sides: str) -> None:
     kitchen = next(r for r in read(text).requirements if r.kind == "dimension" and r.of == "kitchen_1")
     assert kitchen.value == sides
+
+
+@pytest.mark.parametrize("size", [
+    "It is 24 m2. It is 4 m wide by 6 m long.", "It is 4 m wide by 6 m long. It is 24 m2."])
+def test_sides_that_are_told_beside_an_area_are_kept(size: str) -> None:
+    program = read(
+        f"The living room is on the north side. {size} The kitchen is on the south side. The bedroom is on the west "
+        "side. The bathroom is on the east side."
+    )
+    assert [(r.of, r.value) for r in program.requirements if r.kind == "dimension"] == [("living_room_1", "4 x 6")]
+    assert next(room.area for room in program.rooms if room.id == "living_room_1") == 24

@@ -16,6 +16,7 @@ SENTENCES = [
     ("A flat. One bedroom for us, one room for each of our two kids, one bathroom.", "B3 H K L W", ""),
     ("A flat. A bedroom for me, a room for my daughter, a bathroom.", "B2 H K L W", ""),
     ("Three rooms for the children, one bedroom for us, a bathroom.", "B4 H K L W", ""),
+    ("Two bedrooms are for the kids. One is for us. Two bathrooms.", "B3 H K L W2", ""),
     ("A room for my mother near the entrance, two bedrooms for us and one bathroom.", "B3 H K L W", "near B3 entrance"),
     # whose it is, as a key with its value
     ("bedrooms: 3; bathrooms: 2; ensuite: master bedroom; study: no", "B3 H K L W2", "B1W1, H1W2"),

@@ -23,6 +23,8 @@ THAN_THE_LAST = [
     ("Two bedrooms. Living room of 24 m2, kitchen one third of it.", "B2 H K L W", "L1=24, K1=8"),
     ("Two bedrooms. Living room of 24 m2, kitchen a third of its size.", "B2 H K L W", "L1=24, K1=8"),
     ("Two bedrooms; the living room is larger than that of our neighbours.", "B2 H K L W", "unread neighbours"),
+    ("A third larger than that: the living room. Two bedrooms.", "B2 H K L W", ""),
+    ("Bigger than that, please: two bedrooms.", "B2 H K L W", ""),
 ]
 
 test_larger_by_a_part = as_meant(BY_A_PART)

@@ -12,6 +12,8 @@ SENTENCES = [
      "B2 H K L W2", "W1 has 1 bath, W2 has 1 shower, W1=7"),
     ("Two bathrooms, one of them with a bathtub. The bathroom with the bathtub is off the hall. Two bedrooms.",
      "B2 H K L W2", "H1W1, W1 has 1 bath, !W2 has 1 bath"),
+    ("Two bedrooms, three bathrooms. One of the bathrooms has 8 m2; the two bathrooms have 4 m2 each.",
+     "B2 H K L W3", "W1=8, W2=4, W3=4"),
     ("Three bedrooms: one has a desk, one a piano. The one with the piano is 18 m².", "B3 H K L W2",
      "B1 has 1 desk, B2 has 1 piano, B2=18"),
     ("My sister and I share a flat: she has the bigger bedroom, I have the one with the balcony.", "B2 H K L W Y",
