@@ -84,5 +84,6 @@ def test_rooms_are_as_large_as_was_said(prompt: str) -> None:
         near = {room: abs(floors[room] / area - 1) <= 0.05 for room, area in said.items()}
         assert {r.of: r.met for r in plan.program.requirements} == near
         off += [room for room, is_near in near.items() if not is_near]
-        assert sum(floors.values()) == pytest.approx(sum(room.area or 0 for room in program.rooms), rel=0.02)
+        if len(plan.rooms) == len(program.rooms):  # not where a hallway had to be added
+            assert sum(floors.values()) == pytest.approx(sum(room.area or 0 for room in program.rooms), rel=0.02)
     assert len(off) <= 0.1 * 10 * len(said), off

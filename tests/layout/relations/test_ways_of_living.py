@@ -144,14 +144,14 @@ def test_a_hall_one_enters_has_hooks_beside_a_cupboard_unless_it_is_counted_or_n
             assert "counts" not in change or len(there) == 2
 
 
-def test_two_of_five_main_bedrooms_are_to_have_a_television_before_the_bed_and_no_child_has() -> None:
+def test_half_of_main_bedrooms_are_to_have_a_television_before_the_bed_and_no_child_has() -> None:
     plan = home(4)
     bed = next(room for room in plan.rooms if room.base == "bedroom")
     drawn = [seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(400)]
     site = use.site(plan, bed.id)
     assert site.main and site.area >= living.FLOOR
     watched = [rng for rng in drawn if living.SCREEN in living.draw(plan, bed, chances(bed, rng))]
-    assert 0.33 < len(watched) / len(drawn) < 0.47
+    assert 0.48 < len(watched) / len(drawn) < 0.62
     rooms = [room.model_copy(update={"children": 2 if room.id == bed.id else None}) for room in plan.program.rooms]
     theirs = plan.model_copy(update={"program": plan.program.model_copy(update={"rooms": rooms})})
     assert not any(living.SCREEN in living.draw(theirs, bed, chances(bed, rng)) for rng in drawn)
