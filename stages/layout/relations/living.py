@@ -17,8 +17,8 @@ from apartgen.stages.use.site import Site
 BASKET, KEPT = "laundry_basket", 0.25
 """What is in one home of four where linen is kept, and then in no bedroom."""
 SCREEN, WATCHED, FLOOR = {"tv_stand": 1, "tv": 1}, 0.55, 11.0
-"""What is wanted in so many main bedrooms of so much floor, m²; in four of ten it finds a place, so that people's
-share, one of five of all double beds, have it."""
+"""What is wanted in so many main bedrooms of so much floor, m²; it does not find a place in all, so that .14 of all
+double beds have it (28 of 206), of people's one in five."""
 SECOND = "loveseat"
 
 

@@ -44,7 +44,8 @@ def test_windows_of_a_home_place_no_bedroom(sides: str) -> None:
     assert program.unread
 
 
-@pytest.mark.parametrize("said", ["a bathroom without toilet"])
+@pytest.mark.parametrize("said", [
+    "a bathroom without toilet", "a bathroom with no wc", "a shower room without a toilet"])
 def test_what_no_plan_has_is_told(said: str) -> None:
     assert read(f"one bedroom flat with {said}").unread
 
