@@ -107,6 +107,7 @@ _NAME = re.compile(r"[a-z][a-z0-9_]*")
 _FACTS = tuple(name for name in Category.__dataclass_fields__ if name not in ("name", "lineage"))
 _NO = {"belongs": "no category", "instead": "no category", "serves": "no category", "rooms": "no type of room",
        "uses": "no use"}
+_NONE = ("rule", "mass", "listed")  # `[]` leaves these out
 _ITS_OWN = ("name", "like", "serves", "synonyms", "called", "labels", "lineage")
 """Facts that what is like a category does not take over from it."""
 
@@ -171,12 +172,15 @@ def _entry(name: str, row: Any, known: dict[str, Category]) -> Category:
     taken = {k: v for k, v in vars(known[model]).items() if k not in _ITS_OWN} if model else {}
     lineage = (name, *known[model].lineage) if model else (name,)
     try:
-        kind = _CHECKED.validate_python(taken | row | {"name": name, "lineage": lineage})
+        own = {fact: None if value == [] and fact in _NONE else value for fact, value in row.items()}
+        kind = _CHECKED.validate_python(taken | own | {"name": name, "lineage": lineage})
     except ValidationError as error:
         raise BadInput(f"[{name}] {facts.fault(error, _FACTS)}") from None
     if not all(0 < low <= usual <= high for low, usual, high in zip(kind.min, kind.size, kind.max, strict=True)):
         raise BadInput(f"[{name}] size {list(kind.size)} is not within min {list(kind.min)} and max {list(kind.max)}")
+    (d, w, h), rule = kind.max, kind.rule  # the rule of its model may be larger than it comes
     return replace(kind, serves=kind.serves or (known[model].serves or model if model else name),
+                   rule=rule and (min(rule[0], d), min(rule[1], w), min(rule[2], h)),
                    called=kind.called or name.replace("_", " "))
 
 
@@ -224,8 +228,7 @@ def reach(category: str, size: ArrayLike) -> NDArray[np.float64]:
     An upper bound over all designs of the category, used before an asset is chosen and kept by every
     asset of the embedded library. `size` is (..., 3); returns (...,).
     """
-    sizes = np.asarray(size, float)
-    d, w, h = sizes[..., 0], sizes[..., 1], sizes[..., 2]
+    d, w, h = np.moveaxis(np.asarray(size, float), -1, 0)
     kind = TABLE[category]
     match kind.opens:
         case "leaf":
@@ -287,11 +290,8 @@ def _words(kinds: Sequence[Category]) -> dict[str, str]:
 @cache
 def labelled(source: str) -> dict[str, tuple[str, ...]]:
     """What a source of models calls furniture, and the categories that each of its labels may be."""
-    found: dict[str, tuple[str, ...]] = {}
-    for name, kind in TABLE.items():
-        for label in kind.labels.get(source, ()):
-            found[label] = (*found.get(label, ()), name)
-    return found
+    pairs = [(label, name) for name, kind in TABLE.items() for label in kind.labels.get(source, ())]
+    return {label: tuple(name for other, name in pairs if other == label) for label, _ in pairs}
 
 
 def fitted_ovens(objects: Sequence[Box]) -> frozenset[str]:

@@ -14,10 +14,14 @@ from apartgen.schemas.errors import BadInput
 from apartgen.stages import export
 from apartgen.stages.scene.scene import Scene
 
-DRAWINGS = ("svg", "png", "elevations", "dxf", "ifc")
-FORMATS = [name for name in export.formats() if name not in (*DRAWINGS, "view")]
+FORMATS = [name for name in export.formats() if export.needs_assets(name) and name != "view"]
 """Formats that hold assets; drawings and plans have nothing to credit or to name."""
+SIMULATORS = {"mjcf", "usd", "urdf", "sdf", "glb", "habitat"}
 CREDIT = "Plain boxes, public domain"
+
+
+def test_what_simulators_load_holds_assets():
+    assert set(FORMATS) >= SIMULATORS
 
 
 def _broken(library, id):

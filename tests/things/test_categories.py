@@ -41,9 +41,10 @@ def test_one_word_means_one_thing():
 
 
 def test_uses_hold_what_people_would_say():
-    assert used_for("sleep") == {"double_bed", "single_bed", "bunk_bed", "cot"}
-    assert used_for("bathe") == {"bath", "shower"} and used_for("dine") == {"dining_table", "round_table"}
-    assert used_for("rinse", "cool") == {"kitchen_sink", "fridge"}
+    """Of those that ship; what is like one of them is used for the same."""
+    for uses, said in ((("sleep",), {"double_bed", "single_bed", "bunk_bed", "cot"}), (("bathe",), {"bath", "shower"}),
+                       (("dine",), {"dining_table", "round_table"}), (("rinse", "cool"), {"kitchen_sink", "fridge"})):
+        assert said <= used_for(*uses) and {TABLE[name].lineage[-1] for name in used_for(*uses)} == said
 
 
 @pytest.mark.parametrize(("use", "said"), [
@@ -93,6 +94,20 @@ def test_others_are_to_it_as_to_what_it_is_like(newcomers):
     assert "crank_desk" in categories.carriers() and "crank_desk" in categories.used_for("write")
     assert stand_in("crank_desk") == "desk" and stand_in("crank_desk", {"standing_desk", "desk"}) == "standing_desk"
     assert stand_in("crank_desk", {"sofa"}) is None and stand_in("unheard_of") is None
+
+
+def test_what_an_entry_leaves_out_is_left_out():
+    """Numbers, marks and lists alike."""
+    rows = {"futon": {"like": "double_bed", "rule": [], "mass": [], "stands": {}, "uses": []}}
+    futon, bed = read(rows, TABLE)["futon"], TABLE["double_bed"]
+    assert bed.rule and bed.mass and bed.uses and bed.stands != futon.stands == type(bed.stands)()
+    assert futon.rule is None and futon.mass is None and futon.uses == () and futon.size == bed.size
+
+
+def test_no_rule_is_larger_than_what_it_is_for():
+    """A bed is 1.6 m wide as a rule; one that comes in 1.5 m at most is 1.5 m."""
+    small = {"like": "double_bed", "size": [2.0, 1.45, 0.9], "max": [2.2, 1.5, 1.2]}
+    assert read({"small_bed": small}, TABLE)["small_bed"].rule == (2.0, 1.5, 0.4)
 
 
 def test_it_takes_no_word_that_is_spoken_for(newcomers):
