@@ -22,7 +22,7 @@ def crowded(seed, kind):
     """The flat with its second room of some kind, full of what such rooms hold."""
     rng = np.random.default_rng(seed)
     doors = [polygons.clearance(o, h.plan(), 0.3) for o in h.plan().openings]
-    more = sorted(name for name, c in categories.TABLE.items() if kind in c.rooms and c.place == "floor")
+    more = sorted(name for name, c in categories.TABLE.items() if not c.like and kind in c.rooms and c.place == "floor")
     kept = []
     for name in FIRST[kind] + rng.choice(more, 6).tolist():
         for _ in range(30):

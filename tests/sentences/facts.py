@@ -15,7 +15,7 @@ SHORT = {
 
 def rooms(program: Program) -> str:
     """How many rooms of each type, in alphabetical order."""
-    kinds = [SHORT[room.type] for room in program.rooms]
+    kinds = [SHORT[room.base] for room in program.rooms]
     return " ".join(f"{k}{kinds.count(k)}" if kinds.count(k) > 1 else k for k in sorted({*kinds}))
 
 

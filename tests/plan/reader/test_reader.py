@@ -28,7 +28,7 @@ def short(room: str) -> str:
 
 def rooms(program: Program) -> str:
     """`B2 H K L W`: how many of each, in alphabetical order."""
-    kinds = [SHORT[r.type] for r in program.rooms]
+    kinds = [SHORT[r.base] for r in program.rooms]
     return " ".join(f"{k}{kinds.count(k)}" if kinds.count(k) > 1 else k for k in sorted(set(kinds)))
 
 

@@ -42,7 +42,7 @@ NAMED = [
 @pytest.mark.parametrize(("language", "kind", "word"), NAMED)
 def test_a_word_for_a_room_is_one_room_more(language: str, kind: str, word: str) -> None:
     program = read(FRAMES[language].format(word))
-    kinds = [SHORT[room.type] for room in program.rooms]
+    kinds = [SHORT[room.base] for room in program.rooms]
     assert kinds.count(kind) == 1 + 2 * (kind == "B") and not program.unread
 
 
