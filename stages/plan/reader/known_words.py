@@ -13,6 +13,7 @@ from apartgen.stages.plan.reader.entered import entered
 from apartgen.stages.plan.reader.everyday import every_day
 from apartgen.stages.plan.reader.everywhere import everywhere
 from apartgen.stages.plan.reader.for_whom import for_whom_said
+from apartgen.stages.plan.reader.furnished_with import furnished_with
 from apartgen.stages.plan.reader.homely import at_home, without_false_friends
 from apartgen.stages.plan.reader.in_numbers import in_numbers
 from apartgen.stages.plan.reader.in_the_plan import in_the_plan
@@ -27,6 +28,7 @@ from apartgen.stages.plan.reader.lives import lived
 from apartgen.stages.plan.reader.loosely import told_apart
 from apartgen.stages.plan.reader.meant_of import meant_of
 from apartgen.stages.plan.reader.named_again import named_again
+from apartgen.stages.plan.reader.of_several_people import of_several_people
 from apartgen.stages.plan.reader.once_counted import once_counted
 from apartgen.stages.plan.reader.one_room import in_one_room
 from apartgen.stages.plan.reader.only_ways import only_ways
@@ -34,6 +36,7 @@ from apartgen.stages.plan.reader.parted import parted
 from apartgen.stages.plan.reader.plainly import plainly
 from apartgen.stages.plan.reader.rather import rather
 from apartgen.stages.plan.reader.rephrased import rephrased
+from apartgen.stages.plan.reader.round_it import round_it
 from apartgen.stages.plan.reader.schedules import in_places, scheduled
 from apartgen.stages.plan.reader.several_areas import of_several
 from apartgen.stages.plan.reader.shared_baths import shared_by_others
@@ -51,7 +54,8 @@ from apartgen.stages.plan.reader.whose import whose_rooms
 
 def in_known_words(prompt: str) -> str:
     """A prompt folded, with its clauses in such words."""
-    said = at_sides(tersely(in_places(in_things(in_numbers(in_units(in_the_plan(fold(scheduled(prompt)))))))))
+    said = in_the_plan(round_it(of_several_people(furnished_with(fold(scheduled(prompt))))))
+    said = at_sides(tersely(in_places(in_things(in_numbers(in_units(said))))))
     said = once_counted(said)
     plain = whose_place(whose_rooms(commonly(without_false_friends(said))))
     told = every_day(at_home(everywhere(for_whom_said(simply(lived(as_typed(plain)))))))

@@ -37,6 +37,12 @@ _SAID = rules((
      r"goes|go|enters?|walks?|steps?)(?: in)?(?: ?to)? "
      r"(?P<of>(?:the|my|our) {kind}) (?:except|but|other than|save|unless) (?:through|from|via|by way of|by) ",
      r"\g<of> is reached only from "),
+    # "a pantry you can only get into from the kitchen"
+    (r"(?<=[a-z]),? (?:which |that )?(?:you|we|one|i|people) (?:can |should |may )?only (?:be able to )?"
+     r"(?:get|go|step|walk|come) (?:in|on)?to (?:only )?(?:from|through|via|by) (?=(?:the|our) {kind})", " reached "
+     r"only from "),
+    # "he escapes by the balcony"
+    (r"\b((?:escape|flee|leave|exit|climb(?:s? out)?|sneak(?:s? out)?)(?:e?s)?) by (?=the {kind})", r"\1 through "),
     # "a pantry that you enter by the kitchen"
     (r",? (?:where|which|that|to which|in which|into which) (?:we|you|one|i|people) (?:can |should )?(?P<only>only )"
      r"?enters? (?P<then>only )?(?:it )?(?:by|from|through|via) ",

@@ -20,6 +20,7 @@ from apartgen.stages.plan.reader.listings import (
     paired_off,
     sized_anew,
 )
+from apartgen.stages.plan.reader.ranged import ranged
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
@@ -35,7 +36,7 @@ SAID = 1e-6
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    words = _of_home(that_hold(_numbers(paired_off(words))))
+    words = _of_home(that_hold(_numbers(ranged(paired_off(words)))))
     return counted_behind(_of_things(_quantities(words)))
 
 

@@ -4,10 +4,13 @@ from functools import cache
 
 from apartgen.stages.plan.reader.lexicon import Lexicon, read_lexicon
 
+KIN = frozenset("grandson grandsons grandkid grandkids grandchild granddad godson godchild stepson".split())
+"""People whom the lexicon has no word for, whose names are no slips of other words."""
+
 
 def correct(word: str, lexicon: Lexicon) -> str:
     """The lexicon's nearest word within one slip (two from nine letters), or the word itself."""
-    if len(word) < 4 or not word.isascii() or (word,) in lexicon.entries:
+    if len(word) < 4 or not word.isascii() or (word,) in lexicon.entries or word in KIN:
         return word
     if len(word) == 4:
         return _short(word)

@@ -17,6 +17,10 @@ _CALL = re.compile(r"(?P<before>[\w .:=/-]{1,60}?)[(:=]\s*(?P<fields>\{.*\})\s*\
 _BOUNDS = {">=": "at least", "≥": "at least", ">": "at least", "<=": "at most", "≤": "at most", "<": "at most"}
 _COUNTED = re.compile(r"\b(\w*(?:bedrooms|bathrooms|balconies|toilets))\s*:?\s*(?:>=|≥)\s*(\d)(?=\s*(?:[;,|\n]|$))")
 """`bedrooms>=2`: so many, and no area."""
+_ANEW = re.compile(
+    r"(?<=[:=])(?: ?[\w.]{1,8}(?: ?(?:m2|m²|sqm|sq ?ft))? ?(?:-+>|=>|→|⇒) ?(?:(?:actually|rather|now|no|"
+    r"make (?:it|that)|changed to),? )*)+(?=(?:\d|one|two|three|four|five|six)\b)", re.IGNORECASE)  # fmt: skip
+"""What stood in a field before: `bedrooms: two -> three`."""
 
 DEEPEST = 20
 """Brackets within brackets that a prompt may have to be read as fields."""
@@ -24,7 +28,7 @@ DEEPEST = 20
 
 def in_sentences(prompt: str) -> str:
     """A prompt whose every field is understood as sentences, each other one as it is."""
-    prompt = _COUNTED.sub(r"\1=\2", prompt)
+    prompt = _ANEW.sub(" ", _COUNTED.sub(r"\1=\2", prompt))
     text = prompt.strip()
     call = _CALL.fullmatch(text)
     if call and (told := in_sentences(call["fields"])) != call["fields"]:
