@@ -211,8 +211,9 @@ def _one_fewer(out: list[Item], room: RoomPhrase) -> bool:
 
 
 def _commands(out: list[Item]) -> bool:
-    """Whether a sentence begins with the negation that ends `out`."""
-    return bool(out) and out[-1].kind == "negation" and (len(out) == 1 or is_mark(out[-2], "."))
+    """Whether a sentence begins with the negation that ends `out`, which denies a room: `neither` denies a clause."""
+    negation = bool(out) and out[-1].kind == "negation" and out[-1].text.split()[0] not in ("neither", "weder", "ni")
+    return negation and (len(out) == 1 or is_mark(out[-2], "."))
 
 
 def _furnished_anew(out: list[Item], thing: Item) -> bool:

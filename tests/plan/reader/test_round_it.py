@@ -4,14 +4,17 @@ from sentences.facts import as_meant
 
 SENTENCES = [
     # around one
-    ("A living room in the centre with a kitchen, a study and two bedrooms around it, each opening into it.", "B2 K L S",
+    ("A living room in the centre with a kitchen, a study and two bedrooms around it, each opening into it.", "B2 K "
+     "L S",
      "B1L1, B2L1, K1L1, L1S1, position L1 centre"),
     ("A dining room in the middle and, around it, each with a door to it, a kitchen, a study and a bedroom.", "B D K S",
      "B1D1, D1K1, D1S1, !B1H1"),
-    ("A lounge of 20 m2; the kitchen, bathroom and two bedrooms are all arranged around it, each with its own door onto "
+    ("A lounge of 20 m2; the kitchen, bathroom and two bedrooms are all arranged around it, each with its own door "
+     "onto "
      "it.", "B2 K L W", "B1L1, B2L1, K1L1, L1W1, L1=20, !B1K1"),
     # a chain
-    ("Entrance, then living room, then study, then bedroom in one straight chain with the bathroom as a dead end off the "
+    ("Entrance, then living room, then study, then bedroom in one straight chain with the bathroom as a dead end off "
+     "the "
      "bedroom; nothing else.", "B H L S W", "H1L1, L1S1, B1S1, B1W1, !H1W1"),
     ("Start in the kitchen. From it a door to the study, from there one to the bedroom.", "B K S", "K1S1, B1S1, !B1K1"),
     ("Begin in the kitchen. From it a door to the study, from there one to the bedroom, and only from the bedroom can "
@@ -36,7 +39,8 @@ SENTENCES = [
     ("A flat with two doors into the main bedroom: one from the living room and one through its bathroom, which also "
      "opens to the hall.", "B H K L W", "B1L1, B1W1, H1W1, !L1W1"),
     ("One-bedroom flat with a pantry you can only get into from the kitchen.", "B H K L T W", "K1T1, !H1T1"),
-    ("A thief comes past the living room and escapes by the balcony, which you only reach from the kitchen. One bedroom.",
+    ("A thief comes past the living room and escapes by the balcony, which you only reach from the kitchen. One "
+     "bedroom.",
      "B H K L W Y", "K1Y1, !L1Y1, !adjacent L1 Y1"),
     ("The bathroom must be en suite to the larger bedroom only. Two bedrooms.", "B2 H K L W", "B1W1, !H1W1"),
     ("Tres dormitorios, el principal con baño propio, otro baño en el pasillo y una terraza en la cocina.",
