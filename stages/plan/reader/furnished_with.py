@@ -19,9 +19,10 @@ _SAID = rules((
     # "bath 4 meters": no tub
     (r"\bbath(?=(?: of| is| ?:)? ?{amount} ?(?:m|met(?:er|re)s?)\b(?! ?(?:x|by|wide|long|tub|deep)\b))", "bathroom"),
     # "wants a kitchen of 100 sqft total house 90 m2": the room's and the home's
-    (r"({amount} ?{unit}\.?),? (?:and )?total(?: (?:house|home|flat|apartment|area|size|floor|floor area))*(?: is| "
+    (r"({amount} ?{unit}\.?),? (?:and )?(?:the )?(?:total|whole|entire|overall)(?: (?:house|home|flat|apartment|area|"
+     r"size|floor|floor area))*(?: is| "
      r"of|:| will be)?"
-     r" (?=(?:(?:about|maybe|around|approx\.?|roughly|some|perhaps) )*{amount} ?{unit})", r"\1. total area "),
+     r" (?=(?:(?:about|maybe|around|approx\.?|roughly|some|perhaps) )*{amount} ?{unit})", r"\1; total area "),
     # "a bedroom with the bathroom inside"
     (r"\b(bed ?room),?(?: (?:with|has|having))?(?: an?| the| its)?(?: own)? (?:bath ?room|shower room|bath) "
      r"inside(?: it)?(?= ?[.,;)]| ?$| and )", r"\1 with its own bathroom"),

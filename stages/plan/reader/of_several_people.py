@@ -38,7 +38,8 @@ _SAID = rules((
     # "five friends, each with their own bedroom except two who share one", "six students with a room each, but not …"
     (r"\b(?:for |of )?(?P<n>three|four|five|six|seven|eight|[3-8]) {who}[,:]? (?:who )?(?:(?:each|all)(?: of them)?,? "
      r"(?:with|has|have|having|gets?|needs?|wants?) {own}|with {own} each),? (?:except|apart from|other than|but not|"
-     r"save)(?: for)? (?:the )?(?:two(?: of them)?|[a-z]+ (?:and|&) [a-z]+),? (?:who |that )?(?:share|sharing)"
+     r"save)(?: for)? (?:the )?(?:two(?: of them)?|twins|couple|two [a-z]+|[a-z]+ (?:and|&) [a-z]+),? (?:who |that "
+     r")?(?:share|sharing)"
      r"(?: one| {own}| with each other| together)?(?={end}| and )", _one_shared),
     # "three students, each with own room and desk"
     (r"\b(each(?: one| of them)?) (?:with|having) own (?=(?:bed ?)?room)", r"\1 with their own "),

@@ -107,6 +107,19 @@ _SAID = rules((
      r"(?P<rest>(?:{must}|is|has|have|opens?|leads?) )", _neither),
     (r"\bneither (?P<a>{named}) nor (?P<b>{named}) (?:(?:{must}|have|has|get|gets) )*an? (?:direct )?door (?:in)?to "
      r"(?P<c>{named})", r"no door between \g<a> and \g<c>. no door between \g<b> and \g<c>"),
+    (r"\bneither (?P<a>{named}) nor (?P<b>{named}) (?:{must} |is |are )(?:be |lie )?(?P<by>next to|beside|near|"
+     r"adjacent to|close to|adjoining|opposite) (?P<c>{named})",
+     r"\g<a> must not be \g<by> \g<c>. \g<b> must not be \g<by> \g<c>"),
+    (r"\bweder (?P<a>(?:der|die|das) {de}) noch (?P<b>(?:der|die|das) {de}) (?:(?:darf|durfen|soll|sollen|hat|haben) )"
+     r"(?:eine )?(?:direkte )?tur (?:zum|zur|ins|in d(?:as|ie|en)) (?P<c>{de})(?: haben| bekommen)?",
+     r"keine tur zwischen \g<a> und \g<c>. keine tur zwischen \g<b> und \g<c>"),
+    (r"\bni (?P<a>(?:el|la) {es}) ni (?P<b>(?:el|la) {es}) (?:(?:deben?|pueden?) )?(?:(?:se )?(?:dan?|dar|abren?|"
+     r"comunican?)|(?:tienen?|tener) (?:una )?puerta) (?:al?|con) (?:el |la )?(?P<c>{es})",
+     r"sin puerta entre \g<a> y \g<c>. sin puerta entre \g<b> y \g<c>"),
+    (r"\bni (?P<a>(?:le |la |l'){fr}) ni (?P<b>(?:le |la |l'){fr}) ne (?:(?:doi(?:ven)?t|peu(?:ven)?t) )?(?:donner|"
+     r"donnent|"
+     r"s'ouvrent|s'ouvrir|avoir de porte|communiquent) (?:sur|avec|vers) (?P<c>(?:le |la |l'){fr})",
+     r"pas de porte entre \g<a> et \g<c>. pas de porte entre \g<b> et \g<c>"),
     # "bedrooms 2 and 3 share a bathroom between them"
     (r"\b(?:bed ?rooms? (?P<n>\d) and (?:bed ?room )?(?P<m>\d)|(?P<both>the two [a-z' ]{0,20}(?:bed ?)?rooms)) "
      r"(?:(?:must|should|will|can) )?share (?:an?|one)(?: single| common)? "

@@ -22,6 +22,7 @@ SENTENCES = [
     ("Three bedrooms. The third bedroom: 9' x 10'6\". Terrace off the living room.", "B3 H K L W2 Y",
      "dimension B3 2.74 x 3.2, L1Y1, !B3L1"),
     ("2 bedrooms, kitchen 100 sqft total house maybe 90 meter square.", "B2 H K L W", "area K1 9.29, all=90"),
+    ("A living room of 200 sq ft, whole apartment 65 m2, one bedroom, one bath.", "B H K L W", "area L1 18.58, all=65"),
     ("Two-bedroom flat, 100 sqm total.", "B2 H K L W", "all=100"),
 ]  # fmt: skip
 

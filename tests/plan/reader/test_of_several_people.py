@@ -8,6 +8,7 @@ SENTENCES = [
     ("A house: six students with a room each, except for two of them who share, one bathroom.", "B5 H K L W",
      "B1 has 2 single_bed"),
     ("Five flatmates each have a bedroom, except Ann and Bob, who share.", "B4 H K L W2", "!unread ann"),
+    ("Five friends, all with their own room except for the twins who share.", "B4 H K L W2", "B1 has 2 single_bed"),
     ("Three siblings, each with own room apart from two who share one.", "B2 H K L W", ""),
     ("A flat for three students, each with own room and desk.", "B3 H K L W2", "B1 has 1 desk, B3 has 1 desk"),
     ("Piso para tres estudiantes, cada uno con su habitación y su escritorio.", "B3 H K L W2",

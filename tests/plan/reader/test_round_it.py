@@ -26,6 +26,13 @@ SENTENCES = [
      "B D H K L W", "adjacent K1 D1, no_door K1 H1, no_door D1 H1"),
     ("Neither the study nor the nursery has a door to the kitchen. Two bedrooms.", "B2 H K L S W",
      "no_door S1 K1, no_door B2 K1"),
+    ("Neither the kitchen nor the bathroom should be next to the study. One bedroom.", "B H K L S W",
+     "apart K1 S1, apart W1 S1"),
+    ("Zwei Schlafzimmer. Weder die Küche noch das Bad darf eine Tür zum Wohnzimmer haben.", "B2 H K L W",
+     "no_door K1 L1, no_door W1 L1"),
+    ("Deux chambres. Ni la cuisine ni la salle de bain ne donnent sur le salon.", "B2 H K L W",
+     "no_door K1 L1, no_door W1 L1"),
+    ("Casa con dos dormitorios; ni la cocina ni el baño dan al salón.", "B2 H K L W", "no_door K1 L1, no_door W1 L1"),
     # between two of three
     ("Bedrooms 2 and 3 share a bathroom between them, three bedrooms.", "B3 H K L W",
      "adjacent W1 B2, adjacent W1 B3, !adjacent W1 B1, H1W1"),
