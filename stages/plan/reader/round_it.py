@@ -12,7 +12,8 @@ _STEP = r"(?:(?:the |an? |our |my )?(?:entrance(?: hall)?|front door|{kind}))"
 _EACH = (r"(?:(?:each|all|every one)(?: of them)?,? (?:(?:with|having|has|have) (?:(?:an?|its|their|one|own|separate|"
          r"direct) )+(?:doors?|access|opening) (?:on ?to|in ?to|to|from|off) it|(?:opening|opens?|leading|accessible|"
          r"reached|entered) (?:(?:directly|straight) )?(?:in ?to|on ?to|to|from|off) it))")  # fmt: skip
-_TO = (r"from (?:it|there|that|the (?:{kind})),? (?:there (?:is|'s|should be) )?(?:(?:an?|one|another|the next) "
+_THERE = r"(?:from it|from there|from that)"
+_TO = (r",? (?:there (?:is|'s|should be) )?(?:(?:an?|one|another|the next) "
        r"(?:door )?)?(?:(?:leads?|goes|opens?|on) )*(?:in|on)?to (?:the |an? )?(?:{kind})")  # fmt: skip
 _STEPS = late(rf"to (?:the |an? )?({KIND})(?=,|\.|;|$| and )")
 _PARTS = re.compile(r"[;:] ?|,? (?=with\b)|, ?")
@@ -66,7 +67,7 @@ def _between_them(found: re.Match[str]) -> str:
     """`bedrooms 2 and 3 share a bathroom between them`: it lies beside both."""
     who = found["both"] or f"bedroom {found['n']} and bedroom {found['m']}"
     kind = "bathroom" if found["kind"] == "bath" else found["kind"]
-    return f"{who} share a {kind}. the {kind} is next to {who}{'. ' if found['goes_on'] else ''}"
+    return f"{who} share a {kind} which is next to {who}{'. ' if found['goes_on'] else ''}"
 
 
 def _ways(found: re.Match[str]) -> str:
@@ -86,7 +87,7 @@ _SAID = rules((
     (r"(?P<before>[^.]*?\b{named}[^.]*?)[,;]? (?:(?:and|is|are|all|arranged|grouped|set|placed|clustered|lie) )*"
      r"around it,? {each}(?:[,:] (?P<listed>[^.;]+))?", _ring),
     # "from it a door to the bedroom, from there one to the study", "only from the study can you reach the lounge"
-    (r"\b{to}(?:[,;]? ?(?:and )?{to})+", _from_there),
+    (r"\b(?:{there}|from the {kind}){to}(?:[,;]? ?(?:and )?{there}{to})+", _from_there),
     (r"(?:\band )?\bonly (?:from|through|via|by) (?P<by>the {kind}),? (?:can|do|should|may) (?:you|we|one|i|people) "
      r"(?:reach|enter|access|get (?:in)?to|go (?:in)?to|come (?:in)?to) (?P<of>the {kind})",
      r"\g<of> is reached only from \g<by>"),
@@ -130,7 +131,7 @@ _SAID = rules((
      r"{kind})[,:]? {way_a},? and {way_b}(?:,? which (?:also )?opens (?:in|on)?to (?P<also>the {kind}))?", _ways),
     (r"(?P<to>(?:an? |one |the ){kind}) (?:with|has|having) two (?:ways|doors)(?: in)?[,:]? {way_a},? and {way_b}"
      r"(?:,? which (?:also )?opens (?:in|on)?to (?P<also>the {kind}))?", _ways_in),
-), named=_NAMED, each=_EACH, to=_TO.replace("{kind}", KIND), step=_STEP.replace("{kind}", KIND),
+), named=_NAMED, each=_EACH, there=_THERE, to=_TO.replace("{kind}", KIND), step=_STEP.replace("{kind}", KIND),
    way_a=_WAY.format("a").replace("{kind}", KIND), way_b=_WAY.format("b").replace("{kind}", KIND))  # fmt: skip
 
 

@@ -36,6 +36,8 @@ SENTENCES = [
     # between two of three
     ("Bedrooms 2 and 3 share a bathroom between them, three bedrooms.", "B3 H K L W",
      "adjacent W1 B2, adjacent W1 B3, !adjacent W1 B1, H1W1"),
+    ("(1) 3 bedrooms; (2) bedroom 1 >= 14 sqm; (3) bedroom 1 and bedroom 3 share a bathroom between them; (4) entrance "
+     "on the west side.", "B3 H K L W", "adjacent W1 B1, adjacent W1 B3, !adjacent W1 B2, H1W1"),
     ("A three-bedroom flat, the two children's rooms share one bath between them.", "B3 H K L W",
      "adjacent W1 B2, adjacent W1 B3"),
     ("Three bedrooms and one bathroom between the three bedrooms.", "B3 H K L W", "H1W1, !B1W1"),
