@@ -74,6 +74,13 @@ _SAID = rules((
      r"wants?) "
      r"(?:an? |her |his )?(?:own )?(?:bed ?)?room (?P<where>(?:near|next|close|beside)[^.;,]*)",
      r"\g<my> \g<who> lives with us. the \g<who>'s bedroom is \g<where>"),
+    # "I rent a room to a lodger", "a room that we let to a lodger", "two bedrooms, one let to a lodger"
+    (r"\b(?:i|we) (?:(?:will|also|would like to|want to|plan to) )*(?:rent|let|sublet)(?: out)? (?:a|one|(?:the|our|"
+     r"my) spare) "
+     r"(?:bed ?)?room (?:out )?to (?:an? |our |my )?(?P<who>{payer})s?\b", r"a \g<who>'s room"),
+    (r"\b(?:an?|one) (?:bed ?)?room,? (?:(?:that|which) )?(?:(?:i|we|is|will be|to be) )*(?:rent|let|sublet|"
+     r"rented)(?: out)? to "
+     r"(?:an? |our |my )?(?P<who>{payer})s?\b", r"a \g<who>'s room"),
     # "servants' quarters with two bedrooms"
     (r"\b{quarters},? (?:with|of|having|containing|for staff:?) (?={number} bed ?rooms?\b)", ""),
     # "one bathroom between the three bedrooms", "at least two of them bedrooms"
@@ -90,7 +97,8 @@ _SAID = rules((
     (r"(\bbed ?rooms) one is for (?:the )?guests?\b", r"\1, one of them is a guest room"),
     (r"\b(?:an? |the )?(?:second|2nd|extra|another|additional) (?:bath|bath ?room|shower room|toilet) (?:only |just )?"
      r"for (?:the |our |my )?(?:guests?|visitors?)\b", _guests_bath),
-), elder=ELDER, who=_WHO, own=_OWN, thing=_THING, quarters=_QUARTERS)  # fmt: skip
+), elder=ELDER, who=_WHO, own=_OWN, thing=_THING, quarters=_QUARTERS,
+   payer=r"(?:lodger|tenant|student|subtenant|flatmate)")  # fmt: skip
 
 
 def of_several_people(text: str) -> str:
