@@ -17,7 +17,7 @@ _PLACED = re.compile(
     rf"(?<=[a-z]) {_BY} (?:the|each|every|his|her|our|your|their|its|my) {_THING}(?![a-z]| ?rooms?\b|-)"
     r"|(?<=[a-z]) on(?: top of)? it(?=$|[.,;:!\n)]| (?:and|in) )"
 )
-_COUNTER = re.compile(r"(?<=[a-z]) on (?:the|a|our|my) kitchen (?:counter|counter ?top|work ?top|bench|work surface)\b")
+_COUNTER = re.compile(r"(?<=[a-z]) on (?:the|a|our|my) kitchen (?:counter ?top|counter|work ?top|bench|work surface)\b")
 """What is the kitchen's: things on it stand in the kitchen."""
 _OF_A_ROOM = re.compile(r"(?:rooms?|kitchen|hall|hallway|bath|study|balcony|lounge|toilet|door|window)$")
 """What lies beside a thing as a room: there it is the room's place that is said."""

@@ -24,12 +24,13 @@ _SAID = rules((
      r"of|:| will be)?"
      r" (?=(?:(?:about|maybe|around|approx\.?|roughly|some|perhaps) )*{amount} ?{unit})", r"\1; total area "),
     # "a bedroom with the bathroom inside"
-    (r"\b(bed ?room),?(?: (?:with|has|having))?(?: an?| the| its)?(?: own)? (?:bath ?room|shower room|bath) "
-     r"inside(?: it)?(?= ?[.,;)]| ?$| and )", r"\1 with its own bathroom"),
+    (r"\b(bed ?room)(?: ?\(|,? )(?:(?:with|has|having) )?(?:(?:an?|the|its) )?(?:own )?(?:bath ?room|shower room|bath) "
+     r"inside(?: it)?\)?(?= ?[.,;]| ?$| and )", r"\1 with its own bathroom"),
     # "a kitchen barely big enough to turn around in"
-    (r"(?P<room>{room}),?(?: (?:that|which) (?:is|are)| being)? (?:(?:barely|hardly|scarcely|only just) (?:big|large|"
-     r"wide|spacious|roomy) enough|just (?:big|large|wide) enough(?= to turn))(?: (?:to|for) [a-z' ]{1,30}?)?"
-     r"(?={end}| and )", r"small \g<room>"),
+    (r"(?P<room>{room}),?(?: (?:(?:that|which) )?(?:is|are)| being)? (?:(?:barely|hardly|scarcely|only just) (?:big|"
+     r"large|"
+     r"wide|spacious|roomy) enough|just (?:big|large|wide) enough(?= to turn))(?: to [a-z' ]{1,30}?"
+     r"(?={end}| and )| for (?:one|two|three|\d|me|us)\b(?: people| persons| of us)?)?(?![a-z-])", r"small \g<room>"),
 ))  # fmt: skip
 
 

@@ -20,6 +20,8 @@ _PARTS = re.compile(r"[;:] ?|,? (?=with\b)|, ?")
 _WAY = (r"(?:one|another|an?|the other|the second)(?: way| door)?(?: in)? (?:from|off|through|via|by) "
         r"(?P<{}>(?:the|its|my|our)(?: own)? {{kind}})")  # fmt: skip
 
+_SIDE = r"(?:once )?(?:from|off|through|via) (?P<{}>(?:the|my|our) {{kind}})"
+
 
 def _known(room: str) -> str:
     """`a bedroom` as one that was named."""
@@ -40,7 +42,14 @@ def _ring(found: re.Match[str]) -> str:
     hub = next(_FOUND.finditer(before), None)
     if hub is None or not listed:
         return found.group()
-    return f"{before}. {_known(hub.group())} has doors to {listed.strip(' ,')}"
+    return f"{before}. {_doors_to(hub.group(), listed)}"
+
+
+def _doors_to(hub: str, listed: str) -> str:
+    """One list of rooms, none of which is told apart by its article."""
+    rooms = listed.strip(" ,")
+    rooms = re.sub(r"(, |and )an? ", r"\1the ", rooms) if rooms.startswith("the ") else rooms
+    return f"{_known(hub)} has doors to {rooms}"
 
 
 def _chain(found: re.Match[str]) -> str:
@@ -86,6 +95,9 @@ _SAID = rules((
     # "a lounge in the middle, and around it, each with a door to it, a kitchen, a study and two bedrooms"
     (r"(?P<before>[^.]*?\b{named}[^.]*?)[,;]? (?:(?:and|is|are|all|arranged|grouped|set|placed|clustered|lie) )*"
      r"around it,? {each}(?:[,:] (?P<listed>[^.;]+))?", _ring),
+    (r"(?P<of>(?:^|(?<=[.;:] ))[^.;:]*?) surround(?:ing)? (?P<hub>(?:the|an?) {kind}(?: in the (?:middle|centre|"
+     r"center))?),? "
+     r"{each}", lambda found: _doors_to(found["hub"], found["of"])),
     # "from it a door to the bedroom, from there one to the study", "only from the study can you reach the lounge"
     (r"\b(?:{there}|from the {kind}){to}(?:[,;]? ?(?:and )?{there}{to})+", _from_there),
     (r"(?:\band )?\bonly (?:from|through|via|by) (?P<by>the {kind}),? (?:can|do|should|may) (?:you|we|one|i|people) "
@@ -129,9 +141,16 @@ _SAID = rules((
     # "two ways into the kitchen: one from the hall and one through the pantry, which also opens to the garden"
     (r"(?:,? (?:with|has|and)|\bthere are|(?<=[.;:]))? ?\btwo (?:ways|doors|entrances) (?:in)?to (?P<to>(?:the|my|our) "
      r"{kind})[,:]? {way_a},? and {way_b}(?:,? which (?:also )?opens (?:in|on)?to (?P<also>the {kind}))?", _ways),
+    (r"\b(?P<to>the {kind}) (?:{must} )?(?:be |is )?(?:entered|reached|accessed|accessible|reachable) (?:from two "
+     r"sides|"
+     r"(?:in )?two ways)[,:]? {side_a},? and {side_b}(?P<also>)", _ways),
+    (r"\b(?:you|we|one|i) (?:{must} )?(?:get|come|go|walk) (?:in)?to (?P<to>the {kind}) (?:from two sides|(?:in "
+     r")?two ways)"
+     r"[,:]? {side_a},? and {side_b}(?P<also>)", _ways),
     (r"(?P<to>(?:an? |one |the ){kind}) (?:with|has|having) two (?:ways|doors)(?: in)?[,:]? {way_a},? and {way_b}"
      r"(?:,? which (?:also )?opens (?:in|on)?to (?P<also>the {kind}))?", _ways_in),
 ), named=_NAMED, each=_EACH, there=_THERE, to=_TO.replace("{kind}", KIND), step=_STEP.replace("{kind}", KIND),
+   side_a=_SIDE.format("a").replace("{kind}", KIND), side_b=_SIDE.format("b").replace("{kind}", KIND),
    way_a=_WAY.format("a").replace("{kind}", KIND), way_b=_WAY.format("b").replace("{kind}", KIND))  # fmt: skip
 
 

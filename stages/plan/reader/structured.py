@@ -21,6 +21,12 @@ _ANEW = re.compile(
     r"(?<=[:=])(?: ?[\w.]{1,8}(?: ?(?:m2|m²|sqm|sq ?ft))? ?(?:-+>|=>|→|⇒) ?(?:(?:actually|rather|now|no|"
     r"make (?:it|that)|changed to),? )*)+(?=(?:\d|one|two|three|four|five|six)\b)", re.IGNORECASE)  # fmt: skip
 """What stood in a field before: `bedrooms: two -> three`."""
+_N = r"(?:[1-9]|one|two|three|four|five|six)"
+_RANGED = re.compile(
+    rf"((?:bed|bath) ?rooms?|beds|baths|toilets|balconies)(\s*[:=]\s*)(?:(?:between|from) ({_N}) (?:and|to) {_N}|"
+    rf"({_N}) ?(?:-|–|to|or|\.\.) ?{_N})(?=\s*(?:[,;.|\n}}]|$))|\b({_N}) \((?:or|maybe|possibly|perhaps) {_N}\)"
+    r"(?= (?:bed|bath))", re.IGNORECASE)  # fmt: skip
+"""`bedrooms: 2-4`, `3 (or 4) bedrooms`: the least is always meant."""
 
 DEEPEST = 20
 """Brackets within brackets that a prompt may have to be read as fields."""
@@ -29,6 +35,7 @@ DEEPEST = 20
 def in_sentences(prompt: str) -> str:
     """A prompt whose every field is understood as sentences, each other one as it is."""
     prompt = _ANEW.sub(" ", _COUNTED.sub(r"\1=\2", prompt))
+    prompt = _RANGED.sub(lambda found: "".join(part or "" for part in found.groups()), prompt)
     text = prompt.strip()
     call = _CALL.fullmatch(text)
     if call and (told := in_sentences(call["fields"])) != call["fields"]:

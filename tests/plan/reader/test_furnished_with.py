@@ -18,6 +18,8 @@ SENTENCES = [
     ("One bedroom, bath 4 meters, kitchen 9 meters.", "B H K L W", "W1=4, K1=9"),
     ("A master bedroom with bathroom inside, kitchen, living room, balcony.", "B H K L W Y", "B1W1, !H1W1"),
     ("One bedroom, a kitchen barely big enough to turn around in, a bathroom.", "B H K L W", "K1=6"),
+    ("The kitchen is hardly large enough for a stove. Two bedrooms.", "B2 H K L W", "K1=6.75, K1 has 1 oven"),
+    ("Master bedroom (bathroom inside), second bedroom, kitchen.", "B2 H K L W2", "B1W1"),
     # sizes stand with their own room
     ("Three bedrooms. The third bedroom: 9' x 10'6\". Terrace off the living room.", "B3 H K L W2 Y",
      "dimension B3 2.74 x 3.2, L1Y1, !B3L1"),

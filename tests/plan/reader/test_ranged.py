@@ -14,6 +14,9 @@ SENTENCES = [
     ("Un piso con entre dos y cuatro dormitorios y uno o dos baños.", "B2 H K L W", "H1W1"),
     ("Un appartement de deux à trois chambres.", "B2 H K L W", ""),
     ("两到四个卧室，一个卫生间。", "B2 H K L W", ""),
+    ("bedrooms: 2-4, bathrooms: 1-2", "B2 H K L W", ""),
+    ("Bedrooms: between 2 and 4", "B2 H K L W", "!adjacent B1 B2"),
+    ("3 (or 4) bedrooms and a kitchen", "B3 H K L W2", "!unread 3"),
     # no range
     ("The bathroom lies between bedrooms 1 and 2; three bedrooms.", "B3 H K L W", "B1W1, B2W1, !B3W1"),
     ("A kitchen between 10 and 12 m2 and two bedrooms.", "B2 H K L W", "at_least K1 10, at_most K1 12"),

@@ -12,6 +12,8 @@ SENTENCES = [
     ("A lounge of 20 m2; the kitchen, bathroom and two bedrooms are all arranged around it, each with its own door "
      "onto "
      "it.", "B2 K L W", "B1L1, B2L1, K1L1, L1W1, L1=20, !B1K1"),
+    ("The kitchen, a study and two bedrooms surround the living room, each with a door to it.", "B2 K L S",
+     "B1L1, B2L1, K1L1, L1S1"),
     # a chain
     ("Entrance, then living room, then study, then bedroom in one straight chain with the bathroom as a dead end off "
      "the "
@@ -47,6 +49,10 @@ SENTENCES = [
      "H1K1, D1K1"),
     ("A flat with two doors into the main bedroom: one from the living room and one through its bathroom, which also "
      "opens to the hall.", "B H K L W", "B1L1, B1W1, H1W1, !L1W1"),
+    ("Two bedrooms. You can get into the bathroom two ways: from the main bedroom and from the hall.", "B2 H K L W",
+     "B1W1, H1W1"),
+    ("The bathroom can be entered from two sides, from the main bedroom and from the hall; two bedrooms.", "B2 H K L W",
+     "B1W1, H1W1"),
     ("One-bedroom flat with a pantry you can only get into from the kitchen.", "B H K L T W", "K1T1, !H1T1"),
     ("A thief comes past the living room and escapes by the balcony, which you only reach from the kitchen. One "
      "bedroom.",
