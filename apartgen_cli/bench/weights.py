@@ -7,13 +7,16 @@ import numpy as np
 
 PAPER: list[dict[str, Any]] = []
 NOTE = (
-    "Each weight times 0, 1, 4 and 16 for one flat, the same seeds at every dose, and one sentence a weight beside the "
-    "same flat without it. A term's measure is taken from the finished plan (`apartgen.stages.plan.seen`). `d/se`: "
-    "difference of means over its standard error, from dose 0 to 16 and from without the sentence to with it. `areas`: "
-    "`S_constraint`, against 1. The terms of staircases are idle: no plan has stairs."
+    "Each weight times 0, 1, 4 and 16 for two flats, the same seeds at every dose, and one sentence a weight beside "
+    "the same flats without it. A term's measure is taken from the finished plan (`apartgen.stages.plan.seen`), as the "
+    "mean of both flats. `d/se`: difference of means over its standard error within the flats, from dose 0 to 16 and "
+    "from without the sentence to with it. `areas`: `S_constraint`, against 1. The terms of staircases are idle: no "
+    "plan has stairs."
 )
 DOSES = (0.0, 4.0, 16.0)
-FLAT, PROMPT, USUAL = "two_bedroom", "two-bedroom flat", "usual"
+FLATS = {"two_bedroom": "two-bedroom flat", "three_bedroom": "three-bedroom flat"}
+"""Archetypes and prompts; in the one few walls are left to align, in the other few corners to hold."""
+USUAL, PLAIN = "usual", "flat"
 SENTENCES = {
     "shortest_path": "direct routes from the entrance", "typical_area": "exact room sizes",
     "aspect_ratio": "square rooms", "convexity": "no recesses", "conciseness": "simple room shapes",
@@ -22,7 +25,7 @@ SENTENCES = {
     "wide_corridor": "narrow corridors", "privacy": "quiet bedrooms",
 }  # fmt: skip
 SETTINGS = [USUAL, *(f"{term} × {dose:g}" for term in SENTENCES for dose in DOSES),
-            f"{PROMPT}.", *(f"{PROMPT} with {words}" for words in SENTENCES.values())]
+            PLAIN, *(f"{PLAIN} with {words}" for words in SENTENCES.values())]
 SCENES, CHUNK = 40, 40
 TABLES = {
     "Dose and response": ["term", "measure", "× 0", "× 1", "× 4", "× 16", "d/se", "areas × 1", "areas × 16"],
@@ -31,25 +34,29 @@ TABLES = {
 
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
-    """`scenes` plans with one weight changed, or of one sentence."""
+    """`scenes` plans of each flat with one weight changed, or with one sentence."""
     from apartgen.stages import plan
     from apartgen.stages.plan.seen import seen
     from apartgen.stages.plan.study import measured
 
-    program, config = _program(setting), plan.PlanConfig(processes=1)
-    made = [plan.build(program, config, np.random.default_rng(seed + i)) for i in range(scenes)]
-    return [{"seed": seed + i, **seen(one), "areas": measured(one)["S_constraint"]} for i, one in enumerate(made)]
+    out, config = [], plan.PlanConfig(processes=1)
+    for flat in FLATS:
+        program = _program(setting, flat)
+        for i in range(seed, seed + scenes):
+            one = plan.build(program, config, np.random.default_rng(i))
+            out.append({"flat": flat, "seed": i, **seen(one), "areas": measured(one)["S_constraint"]})
+    return out
 
 
-def _program(setting: str) -> Any:
+def _program(setting: str, flat: str) -> Any:
     from apartgen.stages.plan import reader
     from apartgen.stages.plan.study import archetypes
 
-    if setting.startswith(PROMPT):
-        return reader.read(setting)
+    if setting.startswith(PLAIN):
+        return reader.read(FLATS[flat] + setting.removeprefix(PLAIN))
     term, _, dose = setting.partition(" × ")
     weights = {} if setting == USUAL else {term: float(dose)}
-    return archetypes()[FLAT].model_copy(update={"weights": weights})
+    return archetypes()[flat].model_copy(update={"weights": weights})
 
 
 def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[str, Any]]:
@@ -60,7 +67,7 @@ def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[s
     out = []
     for term, words in SENTENCES.items():
         dose = {0.0: by[f"{term} × 0"], 1.0: by[USUAL], 4.0: by[f"{term} × 4"], 16.0: by[f"{term} × 16"]}
-        plain, asked = by[f"{PROMPT}."], by[f"{PROMPT} with {words}"]
+        plain, asked = by[PLAIN], by[f"{PLAIN} with {words}"]
         out.append({
             "term": f"`{term}`", "sentence": words, "measure": UNITS[term],
             **{f"× {d:g}": _mean(found, term) for d, found in dose.items()},
@@ -77,7 +84,10 @@ def _mean(records: list[dict[str, Any]], name: str) -> float:
 
 
 def effect(before: list[dict[str, Any]], after: list[dict[str, Any]], name: str) -> float:
-    """Difference of two means over its standard error."""
-    a, b = (np.array([r[name] for r in found]) for found in (before, after))
-    error = np.sqrt(a.var(ddof=1) / len(a) + b.var(ddof=1) / len(b)) if min(len(a), len(b)) > 1 else 0.0
-    return float((b.mean() - a.mean()) / max(error, 1e-9))
+    """Difference of two means over its standard error, both within flats of which there are equally many."""
+    apart, error = 0.0, 0.0
+    for flat in {r.get("flat") for r in before}:
+        a, b = (np.array([r[name] for r in found if r.get("flat") == flat]) for found in (before, after))
+        apart += b.mean() - a.mean()
+        error += a.var(ddof=1) / len(a) + b.var(ddof=1) / len(b) if min(len(a), len(b)) > 1 else 0.0
+    return float(apart / max(np.sqrt(error), 1e-9))

@@ -8,11 +8,13 @@ from numpy.typing import NDArray
 from apartgen.stages.plan import kernel
 from apartgen.stages.plan.capped import capped
 from apartgen.stages.plan.problem import copy
-from apartgen.stages.plan.slicing import CONCISE, EPS, LACKING, Floats, Problem, Scratch, Tree
+from apartgen.stages.plan.slicing import CONCISE, EPS, LACKING, LINES, Floats, Problem, Scratch, Tree
 from apartgen.stages.plan.straight import straightened
 
 WARM, COLD = 10.0, 1.0
 """Temperatures between which rooms are fitted in anew after one was laid elsewhere, in units of cost."""
+ASKED = 2.0
+"""Weight of a line of walls from which walls are brought onto others for that alone."""
 SMOOTH = 12.0
 """What surplus corners count beside what they cost, since annealing weighs them against walls that it cannot align."""
 
@@ -32,7 +34,7 @@ def bettered(
             best, cost = found, float(price)
     if tries:
         _priced(p, z, best)
-    if z.terms[CONCISE] > 0:
+    if z.terms[CONCISE] > 0 or p.weights[LINES] >= ASKED:
         best = straightened(best, z.block.copy(), partial(_priced, p, z))
         cost, _ = _priced(p, z, best)
     return best, cost

@@ -17,7 +17,7 @@ from apartgen.stages.plan.outline import wish
 from apartgen.stages.plan.slicing import L_WALL, R_COLUMNS, Ints, Problem, Scratch, Tree
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.surroundings import surrounded
-from apartgen.stages.plan.weights import WEIGHTS
+from apartgen.stages.plan.weights import counted
 from apartgen.stages.plan.wished import ADJACENT, APART, SERVING
 from apartgen.stages.plan.wishes import placed, wishes
 
@@ -62,12 +62,13 @@ Pair = tuple[int, int, int]
 
 @dataclass(frozen=True)
 class Slack:
-    """How far the requirements are relaxed, and the share that wishes count; the defaults are not relaxed at all."""
+    """How far requirements are relaxed, and the shares that wishes and factors of weights count; by default in full."""
 
     area: float = 0.12
     aspect: float = 1.0
     envelope: bool = False
     heed: float = 1.0
+    urge: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -166,7 +167,7 @@ def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Pr
             *((APART, *pair, 0.0, 0.0, QUIET * strict) for pair in whim.parted),
             *((SERVING, *pair, *doors, SERVED * strict) for pair in whim.beside for doors in _off_one(program, *pair)),
         ]),
-        weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),
+        weights=np.array(counted(program.weights, slack.urge)),
         limits=np.array([1.0, 1.0, *(walls.inner + more for more in (0.0, LINK_WALL, LINK_WALL + 0.1)), jog]),
     )
 

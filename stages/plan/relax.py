@@ -37,13 +37,15 @@ def ladder(program: Program) -> Iterator[Step]:
     """Rungs from nothing given up to as much as may be; then the same anew, with wishes that hardly count."""
     yield from _rungs(program)
     for _ in range(AGAIN if program.envelope.outline is None else 1):
-        yield from (replace(step, slack=replace(step.slack, heed=HEED)) for step in _rungs(program))
+        yield from (replace(step, slack=replace(step.slack, heed=HEED, urge=HEED)) for step in _rungs(program))
 
 
 def _rungs(program: Program) -> Iterator[Step]:
     said = misfit(program)
     yield Step(program, Slack(), tuple(said))
     yield Step(program, Slack(area=LOOSE), tuple(said))
+    if any(factor > 1 for factor in program.weights.values()):  # what is preferred yields before areas
+        yield Step(program, Slack(area=LOOSE, urge=HEED), tuple(said))
     said.append("areas may differ from what was asked by up to 30 %")
     yield Step(program, Slack(area=0.3), tuple(said))
     said.append("rooms may be half as long again for their width as they should")

@@ -64,7 +64,7 @@ from apartgen.stages.plan.slicing import (
 )
 from apartgen.stages.plan.wished import gap, wished
 
-LACK = 60.0
+LACK = 120.0
 """What a metre that is lacking costs."""
 RISER = 1.0
 """Wall of a bathroom on the outline, where the risers are, m."""

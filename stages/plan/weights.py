@@ -20,3 +20,12 @@ WEIGHTS: dict[str, float] = {
 """Reward terms and their weights; a programme multiplies them. The two of staircases are 0 on one storey. `near_rooms`
 (wet rooms apart, the kitchen apart from where one eats), `wide_corridor` and `privacy` (bedrooms nearer the entrance
 than the living room) are added to the field's twelve."""
+
+
+def counted(factors: dict[str, float], urge: float) -> list[float]:
+    """What each term counts with a programme's factors; of those above 1 a share, lest no plan be found for them."""
+    return [weight * _urged(factors.get(name, 1.0), urge) for name, weight in WEIGHTS.items()]
+
+
+def _urged(factor: float, urge: float) -> float:
+    return min(factor, 1.0 + urge * max(factor - 1.0, 0.0))

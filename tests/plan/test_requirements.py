@@ -11,7 +11,7 @@ from apartgen.stages.plan.check import check
 from apartgen.stages.plan.relax import AGAIN, ladder, spare_links, with_hallway
 from apartgen.stages.plan.slicing import TERMS
 from apartgen.stages.plan.study import archetypes
-from apartgen.stages.plan.weights import WEIGHTS
+from apartgen.stages.plan.weights import WEIGHTS, counted
 
 
 def programme(rooms: dict[str, float], links: list[tuple[str, str]], **other: object) -> Program:
@@ -78,6 +78,26 @@ def test_a_suite_may_lead_from_room_to_room() -> None:
     assert not made.relaxed and not validate(made)
     with pytest.raises(Unmet, match="kitchen_1 can only be reached through bathroom_1"):
         check(programme(flat, [*chain[1:], ("closet_1", "bathroom_1"), ("bathroom_1", "kitchen_1")]))
+
+
+def test_what_is_preferred_yields_before_areas_do() -> None:
+    """Factors of weights, to near 1; none below it grows, and whoever has none above 1 has no such step."""
+    wished = archetypes()["three_bedroom"].model_copy(update={"weights": {"near_rooms": 48.0, "privacy": 0.5}})
+    steps = list(ladder(wished))
+    first = next(step for step in steps if step.slack.urge < 1)
+    assert not first.given_up and steps.index(first) < next(i for i, step in enumerate(steps) if step.given_up)
+    plain = dict(zip(WEIGHTS, counted({}, 1.0), strict=True))
+    mild = dict(zip(WEIGHTS, counted(wished.weights, first.slack.urge), strict=True))
+    assert mild["near_rooms"] == pytest.approx(plain["near_rooms"] * (1 + 47 * first.slack.urge))
+    assert mild["privacy"] == plain["privacy"] / 2 and mild["convexity"] == plain["convexity"]
+    assert all(step.slack.urge == 1 or step.slack.heed < 1 for step in ladder(archetypes()["three_bedroom"]))
+
+
+@pytest.mark.parametrize("factor", [48.0, 200.0])
+def test_a_flat_is_found_however_much_one_thing_is_preferred(factor: float) -> None:
+    wished = archetypes()["three_bedroom"].model_copy(update={"weights": {"near_rooms": factor}})
+    for seed in range(3):
+        assert not build(wished, PlanConfig(), np.random.default_rng(seed)).relaxed
 
 
 def test_the_ladder_gives_up_one_thing_more_at_a_time() -> None:
