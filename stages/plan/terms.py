@@ -70,7 +70,7 @@ RISER = 1.0
 """Wall of a bathroom on the outline, where the risers are, m."""
 BLIND = 1.5
 """What a metre of hallway counts that leads nowhere."""
-OUTGROWN = 6.0
+OUTGROWN = 8.0
 """What counts, as a room that is too large, against a bedroom that is larger than the main one."""
 BROADER = 2.0
 """What a metre of hallway's width counts beyond what two people pass in."""
@@ -137,7 +137,7 @@ def _walls(p: Problem, z: Scratch) -> None:  # longest between linked rooms, its
     for k in range(p.links.shape[0]):
         r, o = p.links[k, 0], p.links[k, 1]
         room, other, wall = z.room[r], z.room[o], z.wall[k]
-        wall[0] = 0.0
+        wall[0], wall[3] = 0.0, 0.0
         wall[1] = 0.25 * (room[R_X0] + room[R_X1] + other[R_X0] + other[R_X1])
         wall[2] = 0.25 * (room[R_Y0] + room[R_Y1] + other[R_Y0] + other[R_Y1])
         i = z.last[r]

@@ -15,7 +15,7 @@ WEIGHTS: dict[str, float] = {
     "staircase_iou": 0.5,
     "near_rooms": 1.5,
     "wide_corridor": 8.0,
-    "privacy": 24.0,
+    "privacy": 28.0,
 }
 """Reward terms and their weights; a programme multiplies them. The two of staircases are 0 on one storey. `near_rooms`
 (wet rooms apart, the kitchen apart from where one eats), `wide_corridor` and `privacy` (bedrooms nearer the entrance
