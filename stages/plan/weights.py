@@ -2,7 +2,7 @@
 
 WEIGHTS: dict[str, float] = {
     "shortest_path": 20.0,
-    "typical_area": 15.0,
+    "typical_area": 20.0,
     "aspect_ratio": 5.0,
     "convexity": 50.0,
     "conciseness": 8.0,

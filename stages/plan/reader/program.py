@@ -45,7 +45,7 @@ ENDLESS = re.compile(r"[a-zà-öø-ÿœß]{100,}|[0-9]{100,}", re.IGNORECASE)
 LIVED_IN = ("living_room", "kitchen", "dining_room", "bedroom", "bathroom", "study")
 """Rooms that `a lamp in every room` speaks of."""
 
-AREAS_TOLD = 3.0
+AREAS_TOLD = 6.0
 """What areas count where a prompt tells those of rooms, but not where they lie, which is the rarer wish."""
 IN_ROOM = {("kitchen_sink", "bathroom"): "vanity", ("chair", "balcony"): "balcony_chair",
            ("dining_table", "balcony"): "balcony_table"}  # fmt: skip
