@@ -18,9 +18,10 @@ LOOSE = 0.19
 
 
 HEED = 0.1
-"""Share that wishes count where no plan is found with all they count."""
-AGAIN = 3
-"""How often everything is then tried anew; a second time only within a given outline, where a run takes longer."""
+"""Share that preferences count where no plan is found with all they count."""
+HEEDS = (0.4, 0.2, 0.1)
+"""Shares that wishes count as everything is then tried anew; only the least within a given outline, where a run takes
+longer."""
 
 
 @dataclass(frozen=True)
@@ -36,8 +37,8 @@ class Step:
 def ladder(program: Program) -> Iterator[Step]:
     """Rungs from nothing given up to as much as may be; then the same anew, with wishes that hardly count."""
     yield from _rungs(program)
-    for _ in range(AGAIN if program.envelope.outline is None else 1):
-        yield from (replace(step, slack=replace(step.slack, heed=HEED, urge=HEED)) for step in _rungs(program))
+    for heed in HEEDS if program.envelope.outline is None else HEEDS[-1:]:
+        yield from (replace(step, slack=replace(step.slack, heed=heed, urge=HEED)) for step in _rungs(program))
 
 
 def _rungs(program: Program) -> Iterator[Step]:

@@ -8,7 +8,7 @@ from apartgen.schemas.errors import BadInput, Unmet
 from apartgen.schemas.plan import Program, Requirement
 from apartgen.stages.plan import PlanConfig, build, validate
 from apartgen.stages.plan.check import check
-from apartgen.stages.plan.relax import AGAIN, ladder, spare_links, with_hallway
+from apartgen.stages.plan.relax import HEEDS, ladder, spare_links, with_hallway
 from apartgen.stages.plan.slicing import TERMS
 from apartgen.stages.plan.study import archetypes
 from apartgen.stages.plan.weights import WEIGHTS, counted
@@ -103,7 +103,7 @@ def test_a_flat_is_found_however_much_one_thing_is_preferred(factor: float) -> N
 def test_the_ladder_gives_up_one_thing_more_at_a_time() -> None:
     program = archetypes()["two_bedroom"].model_copy(update={"complete": False})
     steps = list(ladder(within(program, shape="L")))
-    steps = steps[: len(steps) // (1 + AGAIN)]
+    steps = steps[: len(steps) // (1 + len(HEEDS))]
     assert steps[0].given_up == ()
     for less, more in zip(steps[:-1], steps[1:], strict=True):
         assert more.given_up[:-1] == less.given_up
@@ -113,14 +113,15 @@ def test_the_ladder_gives_up_one_thing_more_at_a_time() -> None:
 
 
 def test_wishes_that_no_plan_has_room_for_forbid_no_plan() -> None:
-    """Rungs with wishes that count stand before those where they hardly do, which are tried several times."""
+    """Rungs with wishes that count stand before those where they do so less and less."""
     program = archetypes()["two_bedroom"]
     asked = [Requirement(id="asked_1", kind="position", of="bedroom_1", value="north", text="")]
     steps = list(ladder(program.model_copy(update={"requirements": asked})))
-    first = len(steps) // (1 + AGAIN)
-    assert [step.given_up for step in steps] == (1 + AGAIN) * [step.given_up for step in steps[:first]]
+    first = len(steps) // (1 + len(HEEDS))
+    assert [step.given_up for step in steps] == (1 + len(HEEDS)) * [step.given_up for step in steps[:first]]
     assert [step.slack.heed for step in steps[:first]] == [1.0] * first
-    assert all(0 < step.slack.heed < 0.5 for step in steps[first:])
+    heeds = [step.slack.heed for step in steps[first:]]
+    assert heeds == sorted(heeds, reverse=True) and set(heeds) == set(HEEDS) and 0 < min(HEEDS) < max(HEEDS) < 0.5
     inside = [step.slack.heed for step in ladder(within(program, outline=[(0, 0), (9, 0), (9, 8), (0, 8)]))]
     assert len(inside) == 2 * inside.count(1.0), "a second time only"
 

@@ -146,9 +146,14 @@ def _plan_all(files: list[Path], images: Path | None, each: bool, outlines: bool
             if outlines and images is not None:
                 within = program.envelope.model_copy(update={"outline": outline(images / f"{file.stem}.png")})
                 program = program.model_copy(update={"envelope": within})
+        except ApartgenError:
+            failed += 1
+            continue
+        try:
             made = plan.build(program, plan.PlanConfig(processes=1), rng)
         except ApartgenError:
             failed += 1
+            asked["lost"] += sum(r.kind == "position" for r in program.requirements)
             continue
         for r in (r for r in made.program.requirements if r.kind == "position"):
             asked[f"{'beside' if r.to else 'place'} {'met' if r.met else 'unmet'}"] += 1
@@ -157,8 +162,9 @@ def _plan_all(files: list[Path], images: Path | None, each: bool, outlines: bool
         if images is not None and (images / f"{file.stem}.png").exists():
             ious.append(overlap(drawn(made), *painted(images / f"{file.stem}.png")))
     met = sum(n for name, n in asked.items() if name.endswith(" met"))
-    print(f"planned {len(files) - failed} of {len(files)}: places {met} of {asked.total()} met "
-          f"({met / max(asked.total(), 1):.3f}) {dict(asked)}; "
+    had = asked.total() - asked["lost"]
+    print(f"planned {len(files) - failed} of {len(files)}: places {met} of {had} met ({met / max(had, 1):.3f}; "
+          f"of all, also without a plan, {met / max(asked.total(), 1):.3f}) {dict(asked)}; "
           f"macro IoU {np.mean(ious or [np.nan]):.3f} of {len(ious)}")
 
 
