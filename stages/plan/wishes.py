@@ -16,7 +16,7 @@ DIRECTIONS: Mapping[str, tuple[int, int]] = {
 """Where on the drawing a place is, north up."""
 COUNTS = {wished.PLACE: 600.0, wished.CENTRE: 400.0, wished.BESIDE: 100.0, wished.NEAR_ENTRANCE: 12.0,
           wished.FAR_FROM_ENTRANCE: 8.0, wished.ADJACENT: 60.0, wished.APART: 40.0, wished.LENGTHS: 25.0,
-          wished.LONG: 200.0, wished.WIDE: 400.0, wished.SIZE: 500.0}  # fmt: skip
+          wished.LONG: 400.0, wished.WIDE: 800.0, wished.SIZE: 1000.0}  # fmt: skip
 """What each lack counts: of places in half extents of the home, of areas in parts of them, of others in metres."""
 ENTRANCE = {"front": wished.NEAR_ENTRANCE, "near": wished.NEAR_ENTRANCE, "back": wished.FAR_FROM_ENTRANCE,
             "apart": wished.FAR_FROM_ENTRANCE}  # fmt: skip

@@ -47,11 +47,11 @@ def test_every_row_can_be_met_and_asks_for_less_at_a_later_look() -> None:
 
 
 def test_a_living_room_of_thirty_square_metres_has_a_sofa_for_three() -> None:
-    """Nobody asked for one; half of those that the weights learned from are shorter than 1.8 m."""
+    """Nobody asked for one; half of those that the weights learned from are shorter than 1.8 m. A second may be."""
     widths = []
     for seed in range(6):
         plan = apartgen.plan("two-bedroom flat with a living room of 30 m2", seed=seed).body
         config = LayoutConfig(model="relations", candidates=1, threads=1, room=["living_room_1"])
         done = layout.run(plan, config, seeds.drawn(seed, "layout", seeds.plan_digest(plan)))
-        widths += [o.size[1] for o in done.objects if o.category in kinds.SOFAS]
+        widths += [max(found)] if (found := [o.size[1] for o in done.objects if o.category in kinds.SOFAS]) else []
     assert len(widths) >= 5 and np.mean(np.array(widths) >= 1.95) >= 0.8
