@@ -16,7 +16,7 @@ DIRECTIONS: Mapping[str, tuple[int, int]] = {
 """Where on the drawing a place is, north up."""
 COUNTS = {wished.PLACE: 600.0, wished.CENTRE: 400.0, wished.BESIDE: 100.0, wished.NEAR_ENTRANCE: 12.0,
           wished.FAR_FROM_ENTRANCE: 8.0, wished.ADJACENT: 60.0, wished.APART: 40.0, wished.LENGTHS: 25.0,
-          wished.LONG: 400.0, wished.WIDE: 800.0, wished.SIZE: 1000.0}  # fmt: skip
+          wished.LONG: 200.0, wished.WIDE: 400.0, wished.SIZE: 1000.0}  # fmt: skip
 """What each lack counts: of places in half extents of the home, of areas in parts of them, of others in metres."""
 ENTRANCE = {"front": wished.NEAR_ENTRANCE, "near": wished.NEAR_ENTRANCE, "back": wished.FAR_FROM_ENTRANCE,
             "apart": wished.FAR_FROM_ENTRANCE}  # fmt: skip
@@ -27,6 +27,8 @@ UNLIMITED = 1e3
 """Metres, and square metres, that no room has."""
 CLOSE = 0.02
 """Part by which an area may be off that was said."""
+BESIDE_PLACES = 0.5
+"""Share that areas count where places are told, which are the harder to keep."""
 
 
 def placed(program: Program) -> bool:
@@ -38,7 +40,8 @@ def wishes(program: Program) -> Floats:
     """One row (6,) for each requirement of rooms of the programme that an arrangement can be better or worse at."""
     index = {room.id: i for i, room in enumerate(program.rooms)}
     rows = [row for asked in program.requirements if asked.of in index for row in _row(asked, index)]
-    return np.array([(*row, COUNTS[row[0]]) for row in rows], float).reshape(-1, 6)
+    counts = {**COUNTS, wished.SIZE: COUNTS[wished.SIZE] * (BESIDE_PLACES if placed(program) else 1.0)}
+    return np.array([(*row, counts[row[0]]) for row in rows], float).reshape(-1, 6)
 
 
 def _row(asked: Requirement, index: dict[str, int]) -> list[tuple[int, int, int, float, float]]:
