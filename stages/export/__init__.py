@@ -2,7 +2,7 @@
 
 A format is a module with `write(scene, out) -> list[Path]`: it writes its files under the folder `out` and names
 them; its `read_back(files)` reads them by the format's own parser before the export is called done. What a scene holds
-is in `stages/scene.py`.
+is in `stages/scene/scene.py`.
 """
 
 import hashlib

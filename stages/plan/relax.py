@@ -35,7 +35,7 @@ class Step:
 
 
 def ladder(program: Program) -> Iterator[Step]:
-    """Rungs from nothing given up to as much as may be; then the same anew, with wishes that hardly count."""
+    """Rungs from nothing given up to as much as may be; then the same anew, with wishes that count ever less."""
     yield from _rungs(program)
     for heed in HEEDS if program.envelope.outline is None else HEEDS[-1:]:
         yield from (replace(step, slack=replace(step.slack, heed=heed, urge=HEED)) for step in _rungs(program))
