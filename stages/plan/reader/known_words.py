@@ -30,6 +30,7 @@ from apartgen.stages.plan.reader.meant_of import meant_of
 from apartgen.stages.plan.reader.named_again import named_again
 from apartgen.stages.plan.reader.of_several_people import of_several_people
 from apartgen.stages.plan.reader.once_counted import once_counted
+from apartgen.stages.plan.reader.on_occasion import on_occasion
 from apartgen.stages.plan.reader.one_room import in_one_room
 from apartgen.stages.plan.reader.only_ways import only_ways
 from apartgen.stages.plan.reader.parted import parted
@@ -54,7 +55,7 @@ from apartgen.stages.plan.reader.whose import whose_rooms
 
 def in_known_words(prompt: str) -> str:
     """A prompt folded, with its clauses in such words."""
-    said = in_the_plan(round_it(of_several_people(furnished_with(fold(scheduled(prompt))))))
+    said = in_the_plan(round_it(of_several_people(furnished_with(on_occasion(fold(scheduled(prompt)))))))
     said = at_sides(tersely(in_places(in_things(in_numbers(in_units(said))))))
     said = once_counted(said)
     plain = whose_place(whose_rooms(commonly(without_false_friends(said))))

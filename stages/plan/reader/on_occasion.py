@@ -1,0 +1,27 @@
+"""Rules that are read only where a text has a word of theirs: most texts have none, and the first is not kept waiting."""
+
+import re
+from collections.abc import Callable
+from functools import cache
+from importlib import import_module
+
+_RULES = (
+    (re.compile(r"stud(?:y|ie)|estudio"), "studied"),
+    (re.compile(r"rather|instead|in (?:place|lieu) of|opposed|prefer|not (?:in )?an? |statt|an ?stelle|plutot|au lieu|"
+                r"a la place|en (?:vez|lugar) de|而不是|不要|不需|代替"), "no_room_apart"),
+)  # fmt: skip
+"""Words of which one stands in every text that a module changes, and its name, which is that of its function as well."""
+
+
+def on_occasion(text: str) -> str:
+    """A folded text in the words of those rules whose words it has."""
+    for words, name in _RULES:
+        if words.search(text):
+            text = _rule(name)(text)
+    return text
+
+
+@cache
+def _rule(name: str) -> Callable[[str], str]:
+    rule: Callable[[str], str] = getattr(import_module(f"apartgen.stages.plan.reader.{name}"), name)
+    return rule
