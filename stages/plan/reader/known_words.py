@@ -29,8 +29,8 @@ from apartgen.stages.plan.reader.loosely import told_apart
 from apartgen.stages.plan.reader.meant_of import meant_of
 from apartgen.stages.plan.reader.named_again import named_again
 from apartgen.stages.plan.reader.of_several_people import of_several_people
-from apartgen.stages.plan.reader.once_counted import once_counted
 from apartgen.stages.plan.reader.on_occasion import on_occasion
+from apartgen.stages.plan.reader.once_counted import once_counted
 from apartgen.stages.plan.reader.one_room import in_one_room
 from apartgen.stages.plan.reader.only_ways import only_ways
 from apartgen.stages.plan.reader.parted import parted

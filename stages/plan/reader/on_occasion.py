@@ -1,4 +1,4 @@
-"""Rules that are read only where a text has a word of theirs: most texts have none, and the first is not kept waiting."""
+"""Rules that are read only where a text has a word of theirs: most have none, and no first text is kept waiting."""
 
 import re
 from collections.abc import Callable
@@ -10,7 +10,7 @@ _RULES = (
     (re.compile(r"rather|instead|in (?:place|lieu) of|opposed|prefer|not (?:in )?an? |statt|an ?stelle|plutot|au lieu|"
                 r"a la place|en (?:vez|lugar) de|而不是|不要|不需|代替"), "no_room_apart"),
 )  # fmt: skip
-"""Words of which one stands in every text that a module changes, and its name, which is that of its function as well."""
+"""Words of which one stands in every text that a module changes; the module, whose function has the same name."""
 
 
 def on_occasion(text: str) -> str:

@@ -7,7 +7,7 @@ _TOPIC = (r"(?:hri|hci|user|users|case|usability|research|field|pilot|lab|labora
           r"empirical|comparative|comparison|observational?|ergonomics?|behaviou?r(?:al)?|cognitive|cognition|"
           r"psycholog(?:y|ical)|ageing|aging|dementia|design|wayfinding|eye[- ]tracking|human(?:[- ]factors|"
           r"[- ]robot(?:[- ]interaction)?)?|interaction|preference|embodied(?: ai)?|scientific|academic|doctoral|"
-          r"ethnographic|evaluation|exploratory|preliminary|follow-up|within-subjects?|between-subjects?|wizard-of-oz|"
+          r"ethnographic|evaluation|exploratory|preliminary|follow-up|(?:within|between)-subjects?|wizard-of-oz|"
           r"in-home|motion|gait|lighting|acoustics?|energy|housing|care|telepresence|assistance|assistive)")  # fmt: skip
 _HOME = (r"(?:(?:[a-z0-9]+[- ]){0,4}?(?:flat|apartment|home|house|studio|layout|floor ?plan|scene|environment|"
          r"bed(?:room)?s?)\b)")  # fmt: skip
