@@ -19,6 +19,14 @@ _SAID = rules((
      r"our |an? |each |one )?{kind}),? (?:and |but )?not (?:in )?(?:an? |any )?(?=(?:{own} )?{kind})",
      r"\g<thing> instead of a "),
     (r"\b(?:in lieu of|as opposed to|in preference to) (?=(?:an?|any|the) )", "instead of "),
+    # "I'd rather have the desk in my bedroom than a separate study", "instead of in a separate study"
+    (r"\brather (?P<said>(?:have |put |use |keep )?(?:the |an? |my |our )?{place} (?:in|within) (?:the |my |our |an? )?"
+     r"{kind}) than (?:in )?(?=an? )", r"\g<said> instead of "),
+    (r"\b(?:rather than|instead of) (?:having (?:it|them) |putting (?:it|them) )?in an? (?=(?:{own} )?{kind})",
+     "instead of a "),
+    (r"\b(?:an)?statt in eine[mr] (?=(?:{own_de} )?{de})", "statt eines "),
+    (r"\b(?:plutot que|au lieu d'etre) dans (?=une? (?:{fr}))", "au lieu d'"),
+    (r"\ben (?:vez|lugar) de en (?=una? (?:{es}))", "en lugar de "),
     # "rather than a separate room": nothing is named that there might be
     (r",? {rather} (?:(?:in|having|building|using|with|to have|on) )?(?:(?:an?|any|its|their|the) )?(?:{own} )+"
      r"(?:room|space|place)s?(?: (?:for (?:it|that|this|them|work|working|dining|the [a-z]+)|of its own|of their own))?"
@@ -36,7 +44,7 @@ _SAID = rules((
      r"(?P<room>房间)", ""),
     (r"[,;]?(?:而)?(?:不要|不是|不需要?|没有|无需|不设)(?:一?[个间])?(?:单独|独立|另外|专门|额外)的?(?:一?[个间])?"
      r"(?P<room>书房|餐厅|洗衣房|办公室|衣帽间)", r",没有\g<room>"),
-), rather=_RATHER, own=_OWN, place=_PLACE)  # fmt: skip
+), rather=_RATHER, own=_OWN, place=_PLACE, own_de=r"(?:separate|eigene|extra|getrennte|zusatzliche)[nms]?")  # fmt: skip
 
 
 def no_room_apart(text: str) -> str:

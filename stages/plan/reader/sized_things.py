@@ -89,7 +89,7 @@ def _patterns() -> list[tuple[str, Late, bool]]:
         has = kind == "furniture"
         out += [
             (kind, Late(r"{thing}{is}{size}{behind}\)?", named), has),
-            (kind, Late(r"(?<![\w.,])(?:(?:an?|the|one) (?=\d))?{size}[ -](?:wide |long |high |tall )?{thing}", named), has),
+            (kind, Late(r"(?<![\w.,]){size}[ -](?:wide |long |high |tall )?{thing}", named), has),
             (kind, Late(r"{thing}(?:'s)?[ -]?{extent}{is}{size}{behind}", named), has),
             (kind, Late(r"(?:the )?{extent} (?:of|von|de[rs]?|du|des|del|d')? ?(?:(?:the|all|any|den|les|las|los|allen|"
                         r"toutes|todas) )*{thing}{is}{size}{behind}", named), has),
