@@ -17,8 +17,12 @@ _LIVED = r"(?:living room|lounge|main room|kitchen|living[ -]dining room|sitting
 
 def _straight_in(found: re.Match[str]) -> str:
     """`you enter directly into the living room` of a small home for which no hall is named: there is none."""
-    told = _HALL.search(found.string) or _MANY.search(found.string) or "studio" in found.string
-    return found.group() if told else f"no hallway, {found.group()}"
+    return found.group() if hall_or_studio(found.string) else f"no hallway, {found.group()}"
+
+
+def hall_or_studio(text: str) -> bool:
+    """Whether a home has a hall, which is named or wanted for many rooms, or no room but one, which is entered."""
+    return bool(_HALL.search(text) or _MANY.search(text)) or "studio" in text
 
 
 def _bath(who: str, having: str) -> str:

@@ -12,6 +12,15 @@ _RULES = (
     (re.compile(r"of (?:them|those|these)|in (?:number|total|all)\b|to be (?:exact|precise)|pieces|pcs|units|\(\d\)|"
                 r"\((?:two|three|four|five)\)|stuck|davon|an der zahl|insgesamt|elles|au total|en tout|il y en a|faut|"
                 r"ell[oa]s|en total|[室间房台],.{0,2}[两二三四五2-6][间个]"), "counted_behind"),
+    (re.compile(r"\benter|\bentr(?:y|ance|er|ee|a\b|e\b|a[ds])|front door|(?:main|apartment|flat|house|home) door|"
+                r"comes? in|walks? in|on entering|steps? in|(?:tur|eingang) |\bman (?:betritt|kommt|tritt)|la porte|"
+                r"on arrive|la puerta|acce[ds]|入户|大门|正门|入口|进门|进户|进屋"), "one_enters"),
+    (re.compile(r"between|middle|midway|halfway|zwischen|\bentre\b|medio|milieu|中间|之间|当中"), "between_them"),
+    (re.compile(r"\bapart\b|separ|\bsplit|own room|on its own|by itself|getrennt|\bextra|aparte|a part\b|independ|"
+                r"分开|分离|独立"), "toilets_apart"),
+    (re.compile(r"\b(?:at|into|on|to|inside|next of|of|for|in|by) (?:the )?(?:[a-z']+ ){0,2}(?:bed ?)?room|\bmaster\b|"
+                r"(?:at|into|on|to|inside|next) (?:of )?(?:the )?(?:kitchen|lounge|study|entrance)|balcon|terrasse|"
+                r"阳台|露台"), "odd_places"),
 )  # fmt: skip
 """Words of which one stands in every text that a module changes; the module, whose function has the same name."""
 

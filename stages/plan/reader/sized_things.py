@@ -9,17 +9,18 @@ from apartgen.stages.plan.reader.tokens import fold
 _THINGS = {
     "furniture": (
         r"(?:all |any |every |each )?(?:furniture|furnishings?|pieces?|objects?)|mobel(?:stucke?)?|meubles?|muebles?|"
-        r"家具|(?:(?:double|single|bunk|king|queen|twin|box|hospital|doppel|einzel|etagen|ehe|hoch|kinder|baby)[- ]?)?"
-        r"(?:beds?|bett(?:en)?)(?!-| ?rooms?)|mattress(?:es)?|matratzen?|(?:lits?|camas?)(?: (?:doubles?|dobles?|"
-        r"simples?|individual(?:es)?|matrimonial(?:es)?|de matrimonio))?|colchon(?:es)?|sofas?|couch(?:es)?|settees?|"
-        r"canapes?|(?:(?:dining|coffee|kitchen|side|work|conference|billiard|ess|couch|arbeits|schreib|kuchen|pool)[- ]"
-        r"?)?(?:tables?|tische?)|tables? (?:basses?|a manger|de travail)|mesas?(?: de (?:comedor|centro|trabajo))?|"
-        r"desks?|escritorios?|(?:kleider)?schranke?|schrank|wardrobes?|cupboards?|cabinets?|armoires?|"
-        r"armarios?|book ?(?:case|shel(?:f|ve))s?|shel(?:f|ves)|shelving|regale?|etageres?|bibliotheques?|estanterias?|"
-        r"tvs?|televisions?|screens?|fernseher|televiseurs?|televisor(?:es)?|rugs?|carpets?|teppiche?|tapis|alfombras?|"
-        r"(?:kitchen )?(?:counters?|worktops?|islands?|work surfaces?)|(?:bath ?)?tubs?|badewannen?|baignoires?|"
-        r"baneras?|showers? trays?|pianos?|chairs?|armchairs?|sessel|fauteuils?|sillon(?:es)?|sideboards?|dressers?|"
-        r"fridges?|refrigerators?|lamps?|mirrors?|benches|bench|床|沙发|餐桌|书桌|桌子|衣柜|书架|书柜|茶几|电视|地毯"
+        r"家具|(?:(?:double|single|bunk|king|queen|twin|box|hospital|doppel|einzel|etagen|ehe|hoch|kinder|"
+        r"baby)[- ]?)?(?:beds?|bett(?:en)?)(?!-| ?rooms?)|mattress(?:es)?|matratzen?|(?:lits?|camas?)(?: (?:doubles?|"
+        r"dobles?|simples?|individual(?:es)?|matrimonial(?:es)?|de matrimonio))?|colchon(?:es)?|sofas?|couch(?:es)?|"
+        r"settees?|canapes?|(?:(?:dining|coffee|kitchen|side|work|conference|billiard|ess|couch|arbeits|schreib|"
+        r"kuchen|pool)[- ]?)?(?:tables?|tische?)|tables? (?:basses?|a manger|de travail)|mesas?(?: de (?:comedor|"
+        r"centro|trabajo))?|desks?|escritorios?|(?:kleider)?schranke?|schrank|wardrobes?|cupboards?|cabinets?|"
+        r"armoires?|armarios?|book ?(?:case|shel(?:f|ve))s?|shel(?:f|ves)|shelving|regale?|etageres?|bibliotheques?|"
+        r"estanterias?|tvs?|televisions?|screens?|fernseher|televiseurs?|televisor(?:es)?|rugs?|carpets?|teppiche?|"
+        r"tapis|alfombras?|(?:kitchen )?(?:counters?|worktops?|islands?|work surfaces?)|(?:bath ?)?tubs?|badewannen?|"
+        r"baignoires?|baneras?|showers? trays?|pianos?|chairs?|armchairs?|sessel|fauteuils?|sillon(?:es)?|sideboards?|"
+        r"dressers?|fridges?|refrigerators?|lamps?|mirrors?|benches|bench|床|沙发|餐桌|书桌|桌子|衣柜|书架|书柜|茶几|"
+        r"电视|地毯"
     ),
     "doors": (
         r"(?:(?:all|every|each|any|interior|inner|entrance|front|internal|sliding|room|the) )*(?:doors?|doorways?|"
@@ -37,23 +38,24 @@ _UNIT = (r"(?:cm|mm|centim(?:et(?:er|re)s?|etros?)|inch(?:es)?|in\b|feet|foot|ft
          r"厘米|公分|米)")  # fmt: skip
 _N = r"\d+(?:[.,]\d+)?"
 _X = r" ?(?:x|by|mal|sur|por|乘) ?"
-_AXIS = (r"(?:wide|long|high|tall|deep|thick|across|in (?:width|height|length|depth|diameter)|breit|lang|hoch|tief|dick|"
-         r"de (?:large(?:ur)?|long(?:ueur|itud)?|haut(?:eur)?|profondeur|ancho|largo|alto|altura|anchura|fondo|"
+_AXIS = (r"(?:wide|long|high|tall|deep|thick|across|in (?:width|height|length|depth|diameter)|breit|lang|hoch|tief|"
+         r"dick|de (?:large(?:ur)?|long(?:ueur|itud)?|haut(?:eur)?|profondeur|ancho|largo|alto|altura|anchura|fondo|"
          r"profundidad|epaisseur|grosor)|or (?:wider|higher|taller|more|less)|宽|长|高|深|厚)")  # fmt: skip
 _EXTENT = (r"(?:widths?|heights?|lengths?|depths?|sizes?|dimensions?|thickness(?:es)?|diameters?|breiten?|hohen?|"
            r"langen?|tiefen?|grossen?|starken?|dicken?|largeurs?|hauteurs?|longueurs?|profondeurs?|epaisseurs?|"
            r"anchos?|anchuras?|alturas?|largos?|grosor(?:es)?)")  # fmt: skip
-_AROUND = (r"(?:(?:at (?:the )?(?:least|most)|about|around|approx\.?|roughly|ca\.?|min(?:imum|destens|\.)?|"
-           r"max(?:imum|imal|\.)?|no (?:more|less|wider|narrower|higher|taller|lower|larger|smaller) than|not (?:more|"
-           r"less|wider|narrower|higher|taller) than|(?:lower|higher|taller|wider|narrower|longer|shorter|larger|"
-           r"smaller|more|less) than|under|over|below|above|up to|(?:d')?au (?:moins|plus)|moins de|plus de|al menos|"
-           r"como (?:maximo|minimo)|menos de|mas de|hochstens|mindestens|wenigstens|etwa|rund|unter|uber|niedriger als|"
+_AROUND = (r"(?:(?:at (?:the )?(?:least|most)|about|around|approx\.?|roughly|ca\.?|min(?:imum|destens|\.)?|max(?:imum|"
+           r"imal|\.)?|no (?:more|less|wider|narrower|higher|taller|lower|larger|smaller) than|not (?:more|less|wider|"
+           r"narrower|higher|taller) than|(?:lower|higher|taller|wider|narrower|longer|shorter|larger|smaller|more|"
+           r"less) than|under|over|below|above|up to|(?:d')?au (?:moins|plus)|moins de|plus de|al menos|como "
+           r"(?:maximo|minimo)|menos de|mas de|hochstens|mindestens|wenigstens|etwa|rund|unter|uber|niedriger als|"
            r"hoher als|breiter als|exactly|至少|最多|不超过|不小于|约) ?)*")  # fmt: skip
 _IS = (r"(?: |,? ?\(|: ?|-)?(?:(?:should|must|has to|have to|to|is|are|be|with|of|at|that|which|who|measures?|"
        r"measuring|an?|their|its|having|has|have|set|hung|placed|sein|soll(?:en)?|muss|mussen|ist|sind|misst|messen|"
        r"mit|von|auf|einer|der|die|mide[nr]?|miden|de|d'|unos|una|debe[nr]?|deben|tener|ser|que|est|sont|fait|font|"
        r"faire|mesure(?:nt|r)?|doit|doivent|avoir|avec|une|un|en|los|las|le|la|les)(?: |(?<=d')))*")  # fmt: skip
-_LENGTHS = rf"{_N} ?(?:{_UNIT})?(?:{_X}{_N} ?(?:{_UNIT})?){{1,2}}|{_N}(?: |-)?{_UNIT}(?: (?:and|und|et|y) {_N} ?{_UNIT})?"
+_LENGTHS = (rf"{_N} ?(?:{_UNIT})?(?:{_X}{_N} ?(?:{_UNIT})?){{1,2}}|{_N}(?: |-)?{_UNIT}(?: (?:and|und|et|y) {_N} "
+            rf"?{_UNIT})?")  # fmt: skip
 _SIZE = rf"(?P<said>{_AROUND}(?P<size>{_LENGTHS})(?:[ -]?{_AXIS})*)"
 _BEHIND = r"(?![\w²]| ?(?:m2|sqm|square|sq|x ?\d)| (?:from|away|off|apart)\b| (?:bed|bath|living)? ?rooms?\b)"
 _NAMED = {"size": _SIZE, "is": _IS, "extent": _EXTENT, "around": _AROUND, "axis": _AXIS, "behind": _BEHIND}
@@ -91,8 +93,8 @@ def _patterns() -> list[tuple[str, Late, bool]]:
             (kind, Late(r"{thing}{is}{size}{behind}\)?", named), has),
             (kind, Late(r"(?<![\w.,]){size}[ -](?:wide |long |high |tall )?{thing}", named), has),
             (kind, Late(r"{thing}(?:'s)?[ -]?{extent}{is}{size}{behind}", named), has),
-            (kind, Late(r"(?:the )?{extent} (?:of|von|de[rs]?|du|des|del|d')? ?(?:(?:the|all|any|den|les|las|los|allen|"
-                        r"toutes|todas) )*{thing}{is}{size}{behind}", named), has),
+            (kind, Late(r"(?:the )?{extent} (?:of|von|de[rs]?|du|des|del|d')? ?(?:(?:the|all|any|den|les|las|los|"
+                        r"allen|toutes|todas) )*{thing}{is}{size}{behind}", named), has),
             (kind, Late(r"{thing}的?(?:宽|长|高|深|厚)度?(?:为|是|要|应)?{size}{behind}", named), has),
         ]  # fmt: skip
     return out
