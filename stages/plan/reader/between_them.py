@@ -10,7 +10,7 @@ _ONE = rf"(?P<room>(?:the|an?|one|our|their)(?: (?:shared|common|small|single|la
 _TWO_ZH = r"(?P<two>[两二2][间个](?:卧室|房间|儿童房|次卧))"
 _SAID = rules((
     # "two bedrooms and in between them a bathroom", "…, sandwiched between them, the bathroom"
-    (r"(?P<two>\b(?:two|both|2|the) (?:[a-z']+ )?{kind}s?|{kind} and (?:an? |the )?{kind})(?:[,;:]? and|[,;.:] ?| "
+    (r"(?P<two>\b(?:two|both|2) (?:[a-z']+ )?{kind}s?|{kind} and (?:an? |the )?{kind})(?:[,;:]? and|[,;.:] ?| "
      r"with|,)+ ?{lies}{them},? {lies}{one}(?={end}| with | and )", r"\g<two>, \g<room> in between"),
     # "the bathroom sits sandwiched between them", "in the middle between them"
     (r"\b(?:sandwiched|wedged|squeezed|tucked|nestled) (?=(?:in[ -]?)?between\b)", ""),

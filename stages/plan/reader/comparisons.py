@@ -95,6 +95,6 @@ def _clause(items: list[Item]) -> list[RoomPhrase]:
             out.append(item.room)
         elif item.kind not in ("conjunction", "copula") and not is_mark(item, ",") and (out or item.value != "has"):
             break
-        if out and item.room is not None and item.room.plural:
-            break
+        if (room := item.room) is not None and (room.plural or (room.count or 1) > 1 or room.quantifier == Det.BOTH):
+            break  # "three bedrooms, the two children's rooms of the same size"
     return out[::-1]

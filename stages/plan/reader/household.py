@@ -126,7 +126,7 @@ class Household:
 
     def _headline(self, phrase: RoomPhrase) -> list[Entity]:
         count = phrase.count or 0
-        self.totals[phrase.type] = math.ceil(count)
+        self.totals |= {} if Trait.KIDS in phrase.labels else {phrase.type: math.ceil(count)}
         found = self.ensure(phrase.type, math.ceil(count), counted=True)
         self._half(phrase, found)
         return found

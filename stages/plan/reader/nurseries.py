@@ -21,7 +21,17 @@ def children(bedrooms: list[Entity], people: People | None, prompt: str) -> dict
     elif not told and people and many:
         own = people.pairs + people.singles - sum(Trait.MASTER in room.labels for room in bedrooms)
         told = [room for room in bedrooms if not room.labels & GROWN][max(own, 0):]
+    shares = _shares(prompt) if len(told) > 1 else None
+    if shares is not None and len(shares) == len(told):
+        return {id(room): number for room, number in zip(told, shares, strict=True)}
     return {id(room): 1 + max(0, min(many, MOST) - 1 - k) // len(told) for k, room in enumerate(told)}
+
+
+def _shares(prompt: str) -> list[int] | None:
+    """How many share each of their rooms, where a text tells who does."""
+    from apartgen.stages.plan.reader.siblings import sleepers  # which few texts want
+
+    return sleepers(fold(prompt))
 
 
 def _told(prompt: str) -> int:

@@ -21,6 +21,11 @@ _RULES = (
     (re.compile(r"\b(?:at|into|on|to|inside|next of|of|for|in|by) (?:the )?(?:[a-z']+ ){0,2}(?:bed ?)?room|\bmaster\b|"
                 r"(?:at|into|on|to|inside|next) (?:of )?(?:the )?(?:kitchen|lounge|study|entrance)|balcon|terrasse|"
                 r"阳台|露台"), "odd_places"),
+    (re.compile(r"famil|every(?:one|body)|nobody|no one|none of|per (?:person|head)|for (?:each|every)|of us|equal|"
+                r"same|identical|alike|gleich|\bpro person|\bpar personne|por persona|\bsomos|\bwg\b|meme|egal|igual|"
+                r"mismo|每个?人|人人|一样|相同|(?:habitaciones|dormitorios|cuartos) (?:de|para)"), "each_own"),
+    (re.compile(r"shar(?:e|ing)|sleep|together|in one (?:bed ?)?room|(?:with|in with) us|in our|schlaf(?:en|t) |"
+                r"teilen|dor(?:t|ment) |partagent|duerme|comparten|一起|合住|共用|[住睡]"), "siblings"),
 )  # fmt: skip
 """Words of which one stands in every text that a module changes; the module, whose function has the same name."""
 

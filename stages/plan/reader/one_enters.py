@@ -12,17 +12,22 @@ _ENGLISH = {
                    "wohnzimmer|wohnraum|salon|sejour|sala(?: de estar)?|客厅|起居室",
 }  # fmt: skip
 _ROOM = f"(?P<room>{'|'.join(_ENGLISH.values())})"
-_DOOR = (r"(?:(?:the |our |my |its )?(?:(?:front|main|entrance|entry|apartment|flat|house|home|outside|outer) doors?|"
+_DOOR = (r"(?:(?:the |our |my )?(?:(?:front|main|entrance|entry|apartment|flat|house|home|outside|outer) doors?|"
          r"(?:main )?entrance(?: door)?|entry(?:way)?))")  # fmt: skip
 _TO = r"(?:(?:directly|straight|right|immediately|first) )?(?:in ?to|on ?to|to|in|inside|on|at|through|via|by)"
 _WHO = r"(?:you|one|we|i|people|visitors|everyone|everybody|guests)"
 _LEADS = (r"(?:(?:should|must|shall|will|to|has|have|can|would) )*(?:opens?|leads?|goes|go|gives?|be|is|are|comes?|"
           r"brings?|takes?)(?: you| us| one)?")  # fmt: skip
 _HOME = r"(?:(?: the| our| my)? (?:flat|apartment|home|house|unit|place|studio))?"
+_ELSEWHERE = re.compile(r"\b(?:whose|its|only|al|a la) [^.;]*$|\b(?:to|of|into) (?:the |an? )?[a-z]+,? $")
+"""What is entered there is another room: `al lavadero, con lavadora, se entra por la cocina`."""
 
 
 def _first(found: re.Match[str]) -> str:
     """That the door of the home leads there; a room that is not the hub, or has a hall before it, is near the door."""
+    clause = re.split(r"[.;]", found.string[: found.start()])[-1]
+    if _ELSEWHERE.search(clause):
+        return found.group()
     room = next(name for name, words in _ENGLISH.items() if re.fullmatch(words, found["room"]))
     begin = found.groupdict().get("begin") or ""
     said = f"{begin}the front door leads to the {room}"
@@ -31,12 +36,14 @@ def _first(found: re.Match[str]) -> str:
     return said if hub else f"{said}. the {room} is near the entrance"
 
 
+_BEGINS = (r"(?:(?<=^)|(?<=[.;,:(] )|(?<=[.;,:(])|(?<=\band )|(?<=\bso )|(?<=\bwhere )|(?<=\bhome )|(?<=\bflat )|"
+           r"(?<=\bapartment ))")  # fmt: skip
 _SAID = rules((
     (r"\b{door}(?: of the (?:flat|apartment|house|home))? {leads} {to} (?:the |an? |our )?{room}{end_}", _first),
-    (r"\b{door}(?: is| being)? (?:through|via|by|in|into|from) (?:the |our )?{room}{end_}", _first),
-    (r"(?<!where )\b{who} (?:(?:can |should |must |will |would |do |wants? to |(?:would )?like to )*(?:enters?|"
-     r"arrives?|comes? in|walks? in|gets? in|steps? in)|(?:comes?|walks?|steps?|gets?|goes?) in(?:side)?){home} {to} "
-     r"(?:the |our )?{room}{end_}", _first),
+    (r"\b{door}(?: is| being)? (?:through|via|by|in|into) (?:the |our )?{room}{end_}", _first),
+    (r"{begins}{who} (?:(?:can |should |must |will |would |do |wants? to |(?:would )?like to )*(?:enters?|arrives?|"
+     r"comes? in|walks? in|gets? in|steps? in)|(?:comes?|walks?|steps?|gets?|goes?) in(?:side)?){home} {to} (?:the |"
+     r"our )?{room}{end_}", _first),
     (r"\b(?:from|through|behind|inside|via) {door},? (?:{who} )?(?:(?:can |should |must |will )?(?:enters?|arrives?|"
      r"comes?|walks?|steps?|gets?|goes?|is|are)|there is|lies|find|have)(?: {to})? (?:the |our )?{room}{end_}", _first),
     (r"\b(?:on|when|upon|by|after) (?:entering|coming in|walking in|arriving|stepping in|{who} (?:enters?|comes? in|"
@@ -58,8 +65,7 @@ _SAID = rules((
      r"|der |das )?{room}\b", _first),
     # "l'entrée donne sur le salon", "on entre par la cuisine"
     (r"(?:(?<=^)|(?<=[.;,:] )|(?<=\bet ))(?:l'entree|la porte(?: d'entree| principale)?)(?: principale)? (?:donne|"
-     r"s'ouvre|ouvre|mene|debouche|se fait|est)(?: directement)? (?:sur|dans|a|vers|par|au) ?"
-     r"(?:la |le |l')?{room}\b", _first),
+     r"s'ouvre|ouvre|mene|debouche|se fait|est)(?: directement)? (?:sur|dans|a|vers|par|au) ?(?:la |le |l')?{room}\b", _first),
     (r"(?:(?<=^)|(?<=[.;,:] )|(?<=\bet ))on (?:entre|arrive)(?: directement)? (?:par|dans) (?:la |le |l'){room}\b(?! "
      r"par)", _first),
     # "la entrada da al salón", "se entra por la cocina"
@@ -73,7 +79,7 @@ _SAID = rules((
     (r"(?:入户门|大门|进户门|正门|入口|进门)(?:直接|就|后|是|要|应该?)*(?:进入?|通向|通往|通到|开向|对着|到|是|"
      r"在)*{room}(?=[,.;]|$)", _first),
     (r"[从由]{room}(?:进门|入户|进屋)", _first),
-), room=_ROOM, door=_DOOR, leads=_LEADS, to=_TO, who=_WHO, home=_HOME,
+), room=_ROOM, door=_DOOR, leads=_LEADS, to=_TO, who=_WHO, home=_HOME, begins=_BEGINS,
    end_=r"(?![a-z'])(?! (?:and the|door|wall|through|from the|via) )(?!,? (?:which|then|from there)\b)")  # fmt: skip
 
 

@@ -8,12 +8,12 @@ _TOPIC = (r"(?:hri|hci|user|users|case|usability|research|field|pilot|lab|labora
           r"psycholog(?:y|ical)|ageing|aging|dementia|design|wayfinding|eye[- ]tracking|human(?:[- ]factors|"
           r"[- ]robot(?:[- ]interaction)?)?|interaction|preference|embodied(?: ai)?|scientific|academic|doctoral|"
           r"ethnographic|evaluation|exploratory|preliminary|follow-up|(?:within|between)-subjects?|wizard-of-oz|"
-          r"in-home|motion|gait|lighting|acoustics?|energy|housing|care|telepresence|assist(?:ance|ive))")  # fmt: skip
+          r"in-home|motion|gait|housing|care|telepresence|assist(?:ance|ive))")  # fmt: skip
 _HOME = (r"(?:(?:[a-z0-9]+[- ]){0,4}?(?:flat|apartment|home|house|studio|layout|floor ?plan|scene|environment|"
          r"bed(?:room)?s?)\b)")  # fmt: skip
 _ASKS = (r"(?:compares?|investigates?|examines?|looks? (?:at|into)|aims?|involves?|explores?|evaluates?|measures?|"
          r"concerns?|focus(?:es)?|asks? (?:how|whether|people|participants|users)|tests? (?:how|whether|if|robots?|"
-         r"two|the|a)|is about|is on|deals? with|studies|will (?:test|compare|examine|investigate|evaluate|run))")
+         r"two|the|a)|is about|deals? with|studies|will (?:test|compare|examine|investigate|evaluate|run))")
 _THEY = (r"(?:an? (?:[a-z]+ )?robots?|robots?|participants|subjects|people|users|volunteers|agents?|we (?:test|"
          r"compare|ask|observe|measure|evaluate|investigate|examine|look|let|study|have robots|have people)|the "
          r"(?:robots?|participants|agents?|users|subjects))\b")  # fmt: skip

@@ -44,10 +44,11 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     beside = {Trait.STAFF, Trait.GUEST}
     beside |= {Trait.RELATIVE} if people and people.pairs and not people.singles else set()
     apart = bool(known) and all(beside & e.labels for e in known)
-    child = bool(known) and all(Trait.KIDS in e.labels for e in known)
+    child = bool(known) and all((beside | {Trait.KIDS}) & e.labels for e in known)
+    child = child and any(Trait.KIDS in e.labels for e in known)  # "two kids' rooms and a guest room"
     couple, one = people is not None and people.pairs > 0, len(known) == 1 and not counted
-    child = child and (one or couple or bool(said.dwelling))  # "a flat with two kids' rooms" has parents
-    if (child or (apart and not counted)) and not (home.totals or said.main_rooms):
+    child = child and (one or couple or bool(said.dwelling) or said.about.lived)  # "a flat with two kids' rooms"
+    if (child or (apart and not counted)) and not ("bedroom" in home.totals or said.main_rooms):
         many = bedrooms(people, said.total_area, rng) if apart and people else 1
         home.add("bedroom", max(many, 1))  # of those whose child, guest or maid sleeps there
     unsaid = not (named or home.totals or said.main_rooms or said.dwelling == "studio")
