@@ -10,9 +10,9 @@ from apartgen.stages.plan.reader.pieces import GROWN, SEVERAL, YOUNG, reworded, 
 _N = (r"(?:[2-8]|two|three|four|five|six|seven|eight|zwei|drei|vier|funf|sechs|deux|trois|quatre|cinq|dos|tres|cuatro|"
       r"cinco|seis)")  # fmt: skip
 _ZH = {"三": 3, "四": 4, "五": 5, "六": 6}
-_EACH = (r"(?:everyone|everybody|each(?: one)?(?: of us)?|all of us|(?:each|every) (?:one|person|member|family "
-         r"member)|we all|jede[rs]?(?: von uns| einzelne)?|chacune?(?: d'entre nous)?|tout le monde|cada un[oa](?: de "
-         r"nosotros)?|cada (?:persona|miembro))")  # fmt: skip
+_EACH = (r"(?:everyone|everybody|each(?: one)?(?: of us)?|all of us|(?:each|every) (?:one|person|child|kid|(?:family "
+         r")?member)|we all|jede[rs]?(?: von uns| einzelne)?|chacune?(?: d'entre nous)?|tout le monde|cada un[oa](?: "
+         r"de nosotros)?|cada (?:persona|miembro))")  # fmt: skip
 _HAS = (r"(?:(?:should|must|will|would|is to|has to|wants?|needs?|like|likes?|gets?|has|have|having|with|to have|in|"
         r"hat|braucht|bekommt|will|mochte|soll|a|veut|aura|doit avoir|tiene|quiere|necesita|tendra|debe tener) )*")
 _OWN = (r"(?:(?:an?|one|his|her|his or her|their|our|its|own|separate|private|single|individual|eine?[nms]?|sein|ihr|"
@@ -22,8 +22,8 @@ _ROOM = (r"(?:bed ?rooms?|rooms?|(?:schlaf)?zimmer|chambre|habitacion|dormitorio
 _CLAUSE = rf"{_EACH} {_HAS}{_OWN}{_ROOM}(?![a-z'])"
 _JOINT = r"(?:[,;:.-]|\b(?:and|where|in which|so that|und|wobei|et|ou|y|donde|who)\b| )*"
 _FAMILY = (rf"(?P<lead>\b(?:we are|we're|wir sind|nous sommes|somos) |\b(?:for|fur|pour|para) )?\b(?:(?:an?|the|our|"
-           rf"eine?|une|una) )?(?:famil(?:y|ie|le|ia) (?:of|von|mit|de|a) (?P<n>{_N})(?: personen| personnes| "
-           rf"personas| people)?"
+           rf"eine?|une|una) )?(?:famil(?:y|ie|le|ia) (?:of|with|von|mit|de|a) (?P<n>{_N})(?: personen| personnes| "
+           rf"personas| people| members)?"
            r"(?! (?:kids|children|kinder|enfants|hijos|ninos|sons|daughters))|(?P<m>drei|vier|funf|sechs)kopfige[nr]? "
            rf"familie|(?P<k>{_N})[- ](?:person|member) family)\b")  # fmt: skip
 _OF_FAMILY = Late(rf"{_FAMILY}(?P<gap>[^.;:]{{0,60}}?(?:[.;:] ?)?){_JOINT}{_CLAUSE}")
@@ -72,8 +72,8 @@ _SAID = rules((
     (r"\b(?:wg|wohngemeinschaft) (?:mit|fur|von) (?P<n>{n}) (?:leuten|menschen|personen)\b", r"fur \g<n> personen"),
     # "three roommates, their bedrooms should be of the same size"
     (r"(?P<who>\b(?:(?:two|both) )?(?P<n>{several}) (?:(?:young|good|close|female|male) )*(?:{grown}|students|"
-     r"sharers))(?P<gap>[^.;:]{0,50}?[.;:,] ?(?:and |where |so )?)(?:their|the|all|all (?:the|their)) (?:\w+ )?(?:bed "
-     r"?)?rooms (?P<be>(?:(?:{must}|are|is|being|have|be|all|both|to) )*)(?={like})", _theirs),
+     r"sharers))(?P<gap>[^.;:]{0,50}?(?:[.;:,] ?| )(?:and |where |so )?)(?:their|the|all|all (?:the|their)) (?:\w+ "
+     r")?(?:bed ?)?rooms (?P<be>(?:(?:{must}|are|is|being|have|be|all|both|to) )*)(?={like})", _theirs),
     (r"(?P<who>\b(?P<n>{several}) (?:(?:young|good|close) )*(?:{grown}|students|sharers))(?P<gap>[^.;:]{0,30}? |[,;:] "
      r")(?:(?:need|needs|want|with|have|having|get|who|each|all|both) )+(?P<be>)(?:equal(?:ly|-| )?(?: ?(?:sized?|"
      r"large|big))|same[- ]sized?|identical|equal) (?:bed ?)?rooms\b", lambda found: f"{_theirs(found)}are of the "
@@ -91,12 +91,10 @@ _SAID = rules((
     (r"(?P<n>[两三四五])[个位名](?:室友|朋友|学生|同学|合租者)[,.;](?:他们|她们|大家)?的?(?:卧室|房间)",
      r"\g<n>间卧室,卧室"),
     # "a room for each of our two kids", "dos habitaciones de niños"
-    (r"\b(?:an?|one|own) (?:own |separate )?(?:bed ?)?room (?:for|to) each of (?:the|our|my) (?P<n>{several}) "
-     r"{young}\b(?!')",
-     r"\g<n> kids rooms"),
-    (r"\b(?P<n>dos|tres|cuatro|[2-4]) (?:habitaciones|dormitorios|cuartos) (?:de|para) (?:l[oa]s )?(?:nin[oa]s|"
-     r"hij[oa]s)\b",
-     r"\g<n> kids rooms"),
+    (r"\b(?:an?|one|own) (?:own |separate )?(?:bed ?)?room (?:for|to) each of (?P<whose>the|our|my) (?P<n>{several}) "
+     r"{young}\b(?!')", r"\g<whose> \g<n> kids rooms"),
+    (r"\b(?P<n>dos|tres|cuatro|[2-4]) (?:habitaciones|dormitorios|cuartos) (?:infantiles|(?:de|para) (?:l[oa]s "
+     r")?(?:nin[oa]s|hij[oa]s))\b", r"\g<n> kids rooms"),
 ), n=_N, several=SEVERAL, young=YOUNG, grown=GROWN, like=_LIKE)  # fmt: skip
 
 

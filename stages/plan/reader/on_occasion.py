@@ -23,7 +23,7 @@ _RULES = (
                 r"阳台|露台"), "odd_places"),
     (re.compile(r"famil|every(?:one|body)|nobody|no one|none of|per (?:person|head)|for (?:each|every)|of us|equal|"
                 r"same|identical|alike|gleich|\bpro person|\bpar personne|por persona|\bsomos|\bwg\b|meme|egal|igual|"
-                r"mismo|每个?人|人人|一样|相同|(?:habitaciones|dormitorios|cuartos) (?:de|para)"), "each_own"),
+                r"mismo|每个?人|人人|一样|相同|(?:habitaciones|dormitorios|cuartos) (?:de|para|infantil)"), "each_own"),
     (re.compile(r"shar(?:e|ing)|sleep|together|in one (?:bed ?)?room|(?:with|in with) us|in our|schlaf(?:en|t) |"
                 r"teilen|dor(?:t|ment) |partagent|duerme|comparten|一起|合住|共用|[住睡]"), "siblings"),
 )  # fmt: skip

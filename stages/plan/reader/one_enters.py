@@ -65,7 +65,8 @@ _SAID = rules((
      r"|der |das )?{room}\b", _first),
     # "l'entrée donne sur le salon", "on entre par la cuisine"
     (r"(?:(?<=^)|(?<=[.;,:] )|(?<=\bet ))(?:l'entree|la porte(?: d'entree| principale)?)(?: principale)? (?:donne|"
-     r"s'ouvre|ouvre|mene|debouche|se fait|est)(?: directement)? (?:sur|dans|a|vers|par|au) ?(?:la |le |l')?{room}\b", _first),
+     r"s'ouvre|ouvre|mene|debouche|se fait|est)(?: directement)? (?:sur|dans|a|vers|par|au) ?(?:la |le |l')?{room}\b",
+     _first),
     (r"(?:(?<=^)|(?<=[.;,:] )|(?<=\bet ))on (?:entre|arrive)(?: directement)? (?:par|dans) (?:la |le |l'){room}\b(?! "
      r"par)", _first),
     # "la entrada da al salón", "se entra por la cocina"

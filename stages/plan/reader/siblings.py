@@ -15,12 +15,12 @@ _NOUNS = {
     "boys": r"boys?|sons?|jungs?|jungen?|sohne?n?|garcons?|fils|chicos?|varones|儿子|男孩子?",
     "girls": r"girls?|daughters?|madchen|tochtern?|tochter|filles?|chicas?|ninas?|hijas?|女儿|女孩子?",
     "twins": r"twins|zwillingen?|jumeaux|jumelles|gemel[oa]s|melliz[oa]s|双胞胎",
-    "all": r"kids?|children|child|kind(?:ern?)?|enfants?|hijos?|ninos?|孩子|小孩",
+    "all": r"ones|kids?|children|child|kind(?:ern?)?|enfants?|hijos?|ninos?|孩子|小孩",
 }  # fmt: skip
 _NOUN = "|".join(f"(?P<{kind}>{words})" for kind, words in _NOUNS.items())
 _ANY = "|".join(_NOUNS.values())
-_MY = (r"(?:(?:the|our|my|his|her|their|both|all|die|der|das|den|unsere?n?|meine?n?|beiden?|les|la|le|nos|mes|notre|"
-       r"mon|ma|los|las|el|nuestr[oa]s?|mis?|我们?的?) )*(?:l')?")  # fmt: skip
+_MY = (r"(?:(?:the|an?|eine?|une?|una|our|my|his|her|their|both|all|die|der|das|den|unsere?n?|meine?n?|beiden?|les|la|"
+       r"le|nos|mes|notre|mon|ma|los|las|el|nuestr[oa]s?|mis?|我们?的?) )*(?:l')?")  # fmt: skip
 _AGE = (r"(?:(?:older|younger|elder|eldest|oldest|youngest|little|small|big|teenage|young|grossen?|kleinen?|"
         r"altere[nr]?|jungere[nr]?|petit[es]*|grand[es]*|pequen[oa]s?|mayor(?:es)?|other|only|个) ?)*")  # fmt: skip
 _WHO = rf"(?<![a-z']){_MY}(?:(?P<n>{_COUNT}) ?)?{_AGE}(?:{_NOUN})(?![a-z'])"
@@ -62,8 +62,10 @@ _MENTION = Late(rf"(?<![a-z\d])(?:{_COUNT}|{_ONE}) ?{_AGE}(?:{_ANY}|baby|bebe|ba
                 rf",? y|,? plus|和) ?(?:{_COUNT}|{_ONE}) ?{_AGE}(?:{_ANY}|baby|bebe|babys|宝宝))*(?![a-z'])(?! "
                 rf"?(?:bed ?)?rooms?)")  # fmt: skip
 _PART = Late(rf"(?<![a-z])(?P<count>{_COUNT}|{_ONE}) ?{_AGE}(?:{_NOUN}|(?P<baby>baby|bebe|babys|宝宝))(?![a-z'])")
-_SHARED = Late(rf"{_JOINT}{_WHO},? ?(?:who |die |qui |que )?{_SHARE}(?={END}|{_JOINT}{_MY}|$)")
-_ALONE = Late(rf"{_JOINT}(?:{_WHO}|(?P<eldest>{_ELDEST})) ?{_OWN}(?={END}| and | while | und | et | y |$)")
+_SHARED = Late(rf"{_JOINT}{_WHO},? ?(?:who |die |qui |que )?{_SHARE}(?={END}|,? (?:and|while|but|und|et|y|aber|mais|"
+               rf"pero) |$)")
+_ALONE = Late(rf"{_JOINT}(?:{_WHO}|(?P<eldest>{_ELDEST})),? ?(?:who |die |der |das |qui |que )?{_OWN}(?={END}| and | "
+              rf"while | und | et | y |$)")
 _BABIES = Late(rf"{_JOINT}{_BABY} ?(?:{_WITH_US})(?={END}| and | und | et | y |$)")
 _FAMILY = re.compile(r"(?:\b(?:we are|wir sind|nous sommes|somos) )?(?:\b(?:an?|the|eine?|une|una) )?\bfamil(?:y|ie|"
                      r"le|ia)(?: (?:with|of|has|mit|avec|con|de|von|die hat))? ?$")  # fmt: skip
@@ -127,8 +129,9 @@ def _within(one: re.Match[str], other: re.Match[str]) -> bool:
 
 
 def _without(text: str, gone: list[re.Match[str]]) -> tuple[str, int]:
-    """A text without some of its clauses, and where the first of them stood."""
-    first = gone[0].start()
-    for one in reversed(gone):
-        text = f"{text[: one.start()]}{text[one.end() :]}"
-    return text, first
+    """A text without some of its clauses, which may overlap, and where the first of them stood."""
+    kept, end = "", 0
+    for one in gone:
+        kept += text[end : one.start()]
+        end = max(end, one.end())
+    return kept + text[end:], gone[0].start()
