@@ -21,6 +21,9 @@ _LEADS = (r"(?:(?:should|must|shall|will|to|has|have|can|would) )*(?:opens?|lead
 _HOME = r"(?:(?: the| our| my)? (?:flat|apartment|home|house|unit|place|studio))?"
 _ELSEWHERE = re.compile(r"\b(?:whose|its|only|al|a la) [^.;]*$|\b(?:to|of|into) (?:the |an? )?[a-z]+,? $")
 """What is entered there is another room: `al lavadero, con lavadora, se entra por la cocina`."""
+_NO_HALL = re.compile(r"\b(?:no|without|n't (?:need|want)|not (?:need|want)|kein\w*|ohne|sans|pas de|sin|ningun) "
+                      r"(?:an? |any )?(?:[a-z]+ )?(?:hall|hallway|corridor|passage|flur|diele|couloir|pasillo|"
+                      r"recibidor)\b")  # fmt: skip
 
 
 def _first(found: re.Match[str]) -> str:
@@ -31,8 +34,9 @@ def _first(found: re.Match[str]) -> str:
     room = next(name for name, words in _ENGLISH.items() if re.fullmatch(words, found["room"]))
     begin = found.groupdict().get("begin") or ""
     said = f"{begin}the front door leads to the {room}"
-    studio = "studio" in found.string
-    hub = room == "living room" and (studio or not hall_or_studio(found.string))
+    rest = found.string.replace(found.group(), "")
+    hall = hall_or_studio(rest) and "studio" not in rest and not _NO_HALL.search(rest)
+    hub = room == "living room" and not hall
     return said if hub else f"{said}. the {room} is near the entrance"
 
 

@@ -37,6 +37,7 @@ from apartgen.stages.plan.reader.quantities import quantities
 from apartgen.stages.plan.reader.relations import place, relations
 from apartgen.stages.plan.reader.remarks import of_that_home
 from apartgen.stages.plan.reader.resized import of_the_last
+from apartgen.stages.plan.reader.rooms_in_all import rooms_in_all
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from apartgen.stages.plan.reader.sized_things import sized_things
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
@@ -53,6 +54,7 @@ def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
     working, text = working_at_home(prompt)
+    text, in_all = rooms_in_all(text)
     text, sizes = sized_things(text)
     folded = in_known_words(text)
     placed, beyond = beside_things(without_taken(folded))
@@ -62,7 +64,7 @@ def parse(prompt: str) -> Said:
     words = lexemes(tokenize(text), lexicon)
     words = bedrooms_apiece(quantities(words), whole.people.count if whole.people else 0)
     words = purposes(for_people(words))
-    said = Said(about=whole, prompt=prompt, working=working, beyond=[*sizes, *limits(folded), *beyond])
+    said = Said(about=whole, prompt=prompt, working=working, in_all=in_all, beyond=[*sizes, *limits(folded), *beyond])
     said.corrected = [slip for word in words for slip in word.slips]
     if described(words, said):
         return said

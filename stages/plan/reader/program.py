@@ -26,6 +26,7 @@ from apartgen.stages.plan.reader.missing import add_missing_rooms, beside_usual,
 from apartgen.stages.plan.reader.nurseries import children
 from apartgen.stages.plan.reader.parse import mentions, parse
 from apartgen.stages.plan.reader.requirements import requirements
+from apartgen.stages.plan.reader.rooms_in_all import all_named, make_room, make_up, told
 from apartgen.stages.plan.reader.shared_out import shared_out
 from apartgen.stages.plan.reader.sizes import areas_told, room_areas
 from apartgen.stages.plan.reader.statements import Said
@@ -65,7 +66,7 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
     for phrase in _introduced_first(said.rooms):
         home.resolve(phrase)
     silent = replace(said.about, lived=False) == About() and not said.working.found
-    if not home.rooms and not said.dwelling and not said.main_rooms and silent:
+    if not (home.rooms or said.dwelling or said.main_rooms or said.in_all) and silent:
         raise BadInput(
             f'no room could be read from the prompt {_quoted(prompt)}; name rooms, e.g. "two-bedroom flat with a study"'
         )
@@ -73,19 +74,22 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
     home.open_kitchen = home.open_kitchen or (said.open_plan and not closed)
     consistent(said, home)
     doors = doors_said(said.statements, home)
-    complete = said.only and not beside_usual(said, home) or full_graph(said, home, doors)
+    complete = (said.only and not beside_usual(said, home)) or full_graph(said, home, doors) or all_named(said, home)
     if not complete:
         named = {room.type for room in home.rooms} | ({"any"} if said.main_rooms else set())
         named |= {"studio"} if said.dwelling == "studio" else set()
         add_study(said, home)
+        make_room(said, home)
         add_bedrooms(said, home, rng)
         add_missing_rooms(said, home, doors)
-        if rng is not None and not said.only:
+        make_up(said, home)
+        if rng is not None and not (said.only or said.in_all):
             add_rooms(said, home, doors, named, rng)
     add_desks(said, home)
     every_room(said.statements, home, doors)
     _every_area(said, home)
     ensuites(home, doors)
+    told(said, home)
     if len(home.rooms) > MOST:
         raise BadInput(f"the prompt asks for more than {MOST} rooms; ask for fewer")
     return _program(said, home, doors, complete)

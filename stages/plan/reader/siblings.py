@@ -23,7 +23,7 @@ _MY = (r"(?:(?:the|an?|eine?|une?|una|our|my|his|her|their|both|all|die|der|das|
        r"le|nos|mes|notre|mon|ma|los|las|el|nuestr[oa]s?|mis?|我们?的?) )*(?:l')?")  # fmt: skip
 _AGE = (r"(?:(?:older|younger|elder|eldest|oldest|youngest|little|small|big|teenage|young|grossen?|kleinen?|"
         r"altere[nr]?|jungere[nr]?|petit[es]*|grand[es]*|pequen[oa]s?|mayor(?:es)?|other|only|个) ?)*")  # fmt: skip
-_WHO = rf"(?<![a-z']){_MY}(?:(?P<n>{_COUNT}) ?)?{_AGE}(?:{_NOUN})(?![a-z'])"
+_WHO = rf"(?<![a-z'])(?<!that )(?<!which )(?<!where )(?<!for ){_MY}(?:(?P<n>{_COUNT}) ?)?{_AGE}(?:{_NOUN})(?![a-z'])"
 _SHARE = (r"(?:(?:will|can|should|must|may|are|do|want to|would like to|to|can all|both|always|happily|werden|sollen|"
           r"konnen|doivent|pueden|deben) )*(?:share(?: (?:an?|one|the same|the) (?:bed ?)?room| together)?|sharing(?: "
           r"(?:an?|one|the same) (?:bed ?)?room)?|sleep(?:ing|s)? (?:together|in (?:one|the same|a shared|a) (?:bed "
@@ -70,6 +70,8 @@ _BABIES = Late(rf"{_JOINT}{_BABY} ?(?:{_WITH_US})(?={END}| and | und | et | y |$
 _FAMILY = re.compile(r"(?:\b(?:we are|wir sind|nous sommes|somos) )?(?:\b(?:an?|the|eine?|une|una) )?\bfamil(?:y|ie|"
                      r"le|ia)(?: (?:with|of|has|mit|avec|con|de|von|die hat))? ?$")  # fmt: skip
 """What stands before children of whom only the rooms are left."""
+_ELSE = re.compile(r"(?<!our )(?<!our own )(?<!parents' )(?<!master )(?<!main )\b(?:bed ?rooms?|schlafzimmer|"
+                   r"chambres?|dormitorios?|habitacion(?:es)?)\b|卧室")  # fmt: skip
 _OTHERS = ("kids room", "children's room", "nursery", "kinderzimmer", "儿童房", "guest room", "grand")
 """Rooms that are told of otherwise: then nothing is summed here."""
 
@@ -110,7 +112,8 @@ def _told(text: str) -> tuple[list[int], str, int] | None:
     left = total - sum(rooms) - single - (len(babies) if groups["all"] else 0)
     rooms = sorted([*rooms, *[1] * (single + max(left, 0))], reverse=True)
     gone = sorted(shared + babies + alone + ([mention] if mention else []), key=lambda one: one.start())
-    return (rooms, *_without(text, gone)) if rooms else None
+    rest, at = _without(text, gone)
+    return (rooms, rest, at) if rooms and not _ELSE.search(rest) else None
 
 
 def _of(found: re.Match[str], groups: dict[str, int]) -> int:

@@ -37,8 +37,9 @@ class Asked:
 class Said:
     """Everything read from a prompt. `rooms` in the order of the text, owned ones after their owners.
 
-    `equal` says that the rooms one lives and sleeps in, which are counted together, are of one size; `uncounted` are
-    things without a room of which nobody says how many. `study_for_work`: those who work at home have a study unsaid.
+    `equal` says that the rooms one lives and sleeps in, which are counted together, are of one size; `in_all` is how
+    many rooms there are to be, with the words; `uncounted` are things without a room of which nobody says how many.
+    `study_for_work`: those who work at home have a study unsaid.
     """
 
     rooms: list[RoomPhrase] = field(default_factory=list)
@@ -49,6 +50,7 @@ class Said:
     flat_size: float = 1.0
     dwelling: str = ""
     main_rooms: int | None = None
+    in_all: tuple[int, str] | None = None
     main_area: float | None = None
     equal: bool = False
     open_plan: bool = False
