@@ -6,7 +6,7 @@ from functools import cache
 from apartgen.stages.plan.reader.about import numbers
 from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.household import Household
-from apartgen.stages.plan.reader.patterns import Late
+from apartgen.stages.plan.reader.patterns import Late, late
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.tokens import fold
@@ -28,7 +28,7 @@ _NAMED = {
     "ends": r"(?P<list> ?: ?| ?- (?=[a-z])|(?= ?(?:[.,;)]|$)|,? (?:and|with|including|counting|which|for) ))",
     "zh": r"(?P<n>1[0-2]|[3-9]|[三四五六七八九十])",
 }  # fmt: skip
-_SAID = tuple(Late(pattern, _NAMED) for pattern in (
+_SAID = (
     r"{with}\b(?:exactly|precisely) {n} rooms(?: {all})?{no_more}*{with_hall}{no_more}*{ends}",
     r"{with}(?:only |just |exactly )?\b(?<!than )(?<!most )(?<!least )(?<!least of )(?<!up to ){n} rooms,? "
     r"{all}{no_more}*{with_hall}{no_more}*{ends}",
@@ -48,22 +48,22 @@ _SAID = tuple(Late(pattern, _NAMED) for pattern in (
     r"\b(?:con )?(?P<n>tres|cuatro|cinco|seis|siete|ocho|[3-9]) (?:habitaciones|estancias|cuartos) en total(?P<list> "
     r"?: ?)",
     r"(?:总共|一共|正好|恰好|刚好|只有|共)(?:要|有)?{zh}[个间]房间?(?P<list> ?[:,] ?)",
-))  # fmt: skip
-_SOME = re.compile(r"exactly|precisely|only|just|in all|in total|altogether|all together|overall|all told|total|no "
-                   r"more|not more|nothing more|at most|maximum|max |genau|exakt|insgesamt|exactement|seulement|en "
-                   r"tout|exactamente|solo|[总一]共|正好|恰好|刚好|只有", re.I)  # fmt: skip
-_OF_THEM = re.compile(r",? ?\b(?P<k>one|two|three|four|five|\d) of (?:them|which|those) (?:are |being |should be "
-                      r")?(?=bed ?rooms)")
-_HALL = re.compile(r"\b(?:hall|corridor|entrance)")
+)  # fmt: skip
+_SOME = late(r"exactly|precisely|only|just|in all|in total|altogether|all together|overall|all told|total|no more|not "
+             r"more|nothing more|at most|maximum|max |genau|exakt|insgesamt|exactement|seulement|en tout|exactamente|"
+             r"solo|[总一]共|正好|恰好|刚好|只有")  # fmt: skip
+_OF_THEM = late(r",? ?\b(?P<k>one|two|three|four|five|\d) of (?:them|which|those) (?:are |being |should be )?(?=bed "
+                r"?rooms)")
+_HALL = late(r"\b(?:hall|corridor|entrance)")
 _ZH = dict(zip("三四五六七八九十", range(3, 11), strict=True))
 
 
 def rooms_in_all(text: str) -> tuple[str, tuple[int, str] | None]:
     """A text without the number of all rooms, folded where it had one; that number, and the words that told it."""
-    if not _SOME.search(text):
+    if not _SOME.search(text.lower()):
         return text, None
     folded = fold(text)
-    for pattern in _SAID:
+    for pattern in _patterns():
         found = next(pattern.finditer(folded), None)
         if found is not None:
             said, number = found.group().strip(" ,:;-"), found["n"]
@@ -79,6 +79,11 @@ def _begun(before: str, found: re.Match[str]) -> str:
     """What stands before, with the word that a list wants behind it."""
     of_home = bool(found["list"]) and re.search(r"[a-z] ?$", before) is not None
     return f"{before.rstrip()} with " if of_home else before
+
+
+@cache
+def _patterns() -> tuple[Late, ...]:
+    return tuple(Late(pattern, _NAMED) for pattern in _SAID)
 
 
 @cache

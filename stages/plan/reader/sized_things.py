@@ -3,7 +3,7 @@
 import re
 from functools import cache
 
-from apartgen.stages.plan.reader.patterns import Late
+from apartgen.stages.plan.reader.patterns import Late, late
 from apartgen.stages.plan.reader.tokens import fold
 
 _THINGS = {
@@ -63,12 +63,12 @@ _ROOMY = 2.7
 """Metres: what is as long and as wide as that is a room."""
 _LONGEST = 4.5
 """Metres of the longest thing."""
-_SOME = re.compile(rf"\d ?-?{_UNIT}|\d ?[x×] ?\d", re.I)
+_SOME = late(rf"\d ?-?{_UNIT}|\d ?[x×] ?\d")
 
 
 def sized_things(text: str) -> tuple[str, list[tuple[str, str]]]:
     """A text without sizes of things, folded where it had some; these sizes, and why they are left out."""
-    if not _SOME.search(text):
+    if not (any(map(str.isdigit, text)) and _SOME.search(text.lower())):
         return text, []
     folded, said = fold(text), list[tuple[str, str]]()
     for kind, pattern, keeps in _patterns():
