@@ -90,6 +90,13 @@ _SAID = rules((
      r"sean )*(?:del? |iguales|igual de|identic))", r"\g<n> \g<rooms>. los \g<rooms> "),
     (r"(?P<n>[两三四五])[个位名](?:室友|朋友|学生|同学|合租者)[,.;](?:他们|她们|大家)?的?(?:卧室|房间)",
      r"\g<n>间卧室,卧室"),
+    (r"\b(?P<n>{several}) (?:{grown}|students|sharers),? (?:who |where )?(?:each|every)(?: one)?(?: of (?:them|us))? "
+     r"(?:should have|must have|wants?|needs?|gets?|has|have) (?:an?|their own|his own|her own) (?:bed ?)?rooms? "
+     r"(?=of (?:the )?(?:same|equal)\b)", r"\g<n> bedrooms "),
+    # "two kids and us, the kids have a room each"
+    (r"\b(?P<n>{several}) (?:kids|children)(?P<us> and (?:us|we|the parents|their parents|me and my [a-z]+)),? (?:and "
+     r"|where )?(?:the|our) (?:kids|children) (?:have|get|need|want|should have) (?:(?:an?|one) (?:bed ?)?room each|"
+     r"their own (?:bed ?)?rooms?)", r"a parents' bedroom and \g<n> kids rooms"),
     # "a room for each of our two kids", "dos habitaciones de niños"
     (r"\b(?:an?|one|own) (?:own |separate )?(?:bed ?)?room (?:for|to) each of (?P<whose>the|our|my) (?P<n>{several}) "
      r"{young}\b(?!')", r"\g<whose> \g<n> kids rooms"),

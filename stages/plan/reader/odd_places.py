@@ -15,12 +15,15 @@ _THING = (r"(?:(?:(?:single|double|bunk|dining|work|coffee|washing|big|small|lar
           r")*(?:desks?|beds?|sofas?|couch(?:es)?|wardrobes?|tables?|tvs?|book ?shel(?:f|ves)|bookcases?|shel(?:f|"
           r"ves)|machines?|fridges?|chairs?|armchairs?|dressers?|lamps?|mirrors?|rugs?|bath ?tubs?|showers?|pianos?|"
           r"closets?))")  # fmt: skip
+_OF_BED = re.compile(r"^((?:(?:very )?(?:big|large|small|little|bigger|larger|smaller|biggest|largest|smallest|second|"
+                     r"third) )+)room$")
+"""A word for a bedroom, where a bed or desk stands in it: `the small room`."""
 
 
 def _of(found: re.Match[str]) -> str:
     """A room with its article, as those that were named have."""
     room = re.sub(r"^(?:the|our|my) ", "", found["of"])
-    return f"the {room}"
+    return "the " + _OF_BED.sub(r"\1bedroom", room)
 
 
 def _has_bath(found: re.Match[str]) -> str:

@@ -22,9 +22,9 @@ _RULES = (
     (late(r"\b(?:at|into|on|to|inside|next of|of|for|in|by) (?:the )?(?:[a-z']+ ){0,2}(?:bed ?)?room|\bmaster\b|(?:at|"
           r"into|on|to|inside|next) (?:of )?(?:the )?(?:kitchen|lounge|study|entrance)|balcon|terrasse|阳台|露台"),
      "odd_places"),
-    (late(r"famil|every(?:one|body)|nobody|no one|none of|per (?:person|head)|for (?:each|every)|of us|equal|same|"
-          r"identical|alike|gleich|\bpro person|\bpar personne|por persona|\bsomos|\bwg\b|meme|egal|igual|mismo|"
-          r"每个?人|人人|一样|相同|(?:habitaciones|dormitorios|cuartos) (?:de|para|infantil)"), "each_own"),
+    (late(r"famil|every(?:one|body)|nobody|no one|none of|per (?:person|head)|for (?:each|every)|of us|room each|"
+          r"equal|same|identical|alike|gleich|\bpro person|\bpar personne|por persona|\bsomos|\bwg\b|meme|egal|igual|"
+          r"mismo|每个?人|人人|一样|相同|(?:habitaciones|dormitorios|cuartos) (?:de|para|infantil)"), "each_own"),
     (late(r"shar(?:e|ing)|sleep|together|in one (?:bed ?)?room|(?:with|in with) us|in our|schlaf(?:en|t) |teilen|"
           r"dor(?:t|ment) |partagent|duerme|comparten|一起|合住|共用|[住睡]"), "siblings"),
 )  # fmt: skip

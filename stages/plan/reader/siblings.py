@@ -25,16 +25,16 @@ _AGE = (r"(?:(?:older|younger|elder|eldest|oldest|youngest|little|small|big|teen
         r"altere[nr]?|jungere[nr]?|petit[es]*|grand[es]*|pequen[oa]s?|mayor(?:es)?|other|only|个) ?)*")  # fmt: skip
 _WHO = rf"(?<![a-z'])(?<!that )(?<!which )(?<!where )(?<!for ){_MY}(?:(?P<n>{_COUNT}) ?)?{_AGE}(?:{_NOUN})(?![a-z'])"
 _SHARE = (r"(?:(?:will|can|should|must|may|are|do|want to|would like to|to|can all|both|always|happily|werden|sollen|"
-          r"konnen|doivent|pueden|deben) )*(?:share(?: (?:an?|one|the same|the) (?:bed ?)?room| together)?|sharing(?: "
-          r"(?:an?|one|the same) (?:bed ?)?room)?|sleep(?:ing|s)? (?:together|in (?:one|the same|a shared|a) (?:bed "
-          r"?)?room|in the same one)|(?:stay|are|live|go|be|being|put) (?:together|in (?:one|the same|a shared) "
-          r"(?:bed ?)?room)(?: in (?:one|a) (?:bed ?)?room)?|together in (?:one|the same|a) (?:bed ?)?room|in one "
-          r"(?:bed ?)?room|schlafen (?:zusammen|gemeinsam|in einem zimmer|im (?:gleichen|selben) zimmer)|teilen(?: "
-          r"sich)? (?:ein|das)(?: gemeinsames)? zimmer|sich ein zimmer teilen|zusammen schlafen|(?:se )?partagent "
-          r"(?:une|la meme|leur)? ?chambre|dorment (?:ensemble|dans la meme chambre)|partagent|comparten(?: (?:una |"
-          r"la misma )?(?:habitacion|dormitorio|cuarto))?|duermen juntos|duermen juntas|duermen en (?:la misma|una) "
-          r"habitacion|(?:一起|合|共)(?:住|睡|用)(?:一?[间个](?:房间?|卧室)?)?|(?:住|"
-          r"睡)(?:在)?(?:同)?一?[间个](?:房间?|卧室)?)")  # fmt: skip
+          r"konnen|doivent|pueden|deben) )*(?:share(?: (?:an?|one|the same|the) (?:bed ?)?room| one| together)?|"
+          r"(?:both |all )?together(?= ?[.,;!]|$)|sharing(?: (?:an?|one|the same) (?:bed ?)?room)?|sleep(?:ing|s)? "
+          r"(?:together|in (?:one|the same|a shared|a) (?:bed ?)?room|in the same one)|(?:stay|are|live|go|be|being|"
+          r"put) (?:together|in (?:one|the same|a shared) (?:bed ?)?room)(?: in (?:one|a) (?:bed ?)?room)?|together "
+          r"in (?:one|the same|a) (?:bed ?)?room|in one (?:bed ?)?room|schlafen (?:zusammen|gemeinsam|in einem zimmer|"
+          r"im (?:gleichen|selben) zimmer)|teilen(?: sich)? (?:ein|das)(?: gemeinsames)? zimmer|sich ein zimmer "
+          r"teilen|zusammen schlafen|(?:se )?partagent (?:une|la meme|leur)? ?chambre|dorment (?:ensemble|dans la "
+          r"meme chambre)|partagent|comparten(?: (?:una |la misma )?(?:habitacion|dormitorio|cuarto))?|duermen juntos|"
+          r"duermen juntas|duermen en (?:la misma|una) habitacion|(?:一起|合|共)(?:住|睡|用)(?:一?[间个](?:房间?|"
+          r"卧室)?)?|(?:住|睡)(?:在)?(?:同)?一?[间个](?:房间?|卧室)?)")  # fmt: skip
 _OWN = (r"(?:(?:will|can|should|must|may|is to|would like to|wants to|soll|doit|debe) )*(?:(?:has|have|gets?|needs?|"
         r"wants?|with|takes?|having|to have|hat|bekommt|braucht|hat|a|aura|tiene|necesita|quiere) )?(?:(?:her|his|"
         r"their|its) own(?: (?:bed ?)?room)?|(?:an?|one) (?:own |separate |single )?(?:bed ?)?room (?:of (?:her|his|"
@@ -106,12 +106,15 @@ def _told(text: str) -> tuple[list[int], str, int] | None:
         if kind:
             groups[kind] += _value(part["count"])
     alone = [one for one in _ALONE.finditer(text) if not any(_within(one, other) for other in [*shared, *babies])]
+    each = list(alone)
     total = sum(groups.values()) or 0
     rooms = [max(_of(one, groups), 2) for one in shared]
+    rooms += [2 for one in alone if _several(one)]  # "our boys sleep in one room, our girls in another"
+    alone = [one for one in alone if not _several(one)]
     single = sum(1 if one["eldest"] or not one["n"] else _value(one["n"]) for one in alone)
     left = total - sum(rooms) - single - (len(babies) if groups["all"] else 0)
     rooms = sorted([*rooms, *[1] * (single + max(left, 0))], reverse=True)
-    gone = sorted(shared + babies + alone + ([mention] if mention else []), key=lambda one: one.start())
+    gone = sorted(shared + babies + each + ([mention] if mention else []), key=lambda one: one.start())
     rest, at = _without(text, gone)
     return (rooms, rest, at) if rooms and not _ELSE.search(rest) else None
 
@@ -125,6 +128,13 @@ def _of(found: re.Match[str], groups: dict[str, int]) -> int:
 def _value(said: str) -> int:
     said = said.strip()
     return int(said) if said.isdigit() else _ZH.get(said) or numbers().get(said) or 1
+
+
+def _several(found: re.Match[str]) -> bool:
+    """Whether several sleep in `another` room: they share it."""
+    nouns = [found[kind] for kind in _NOUNS if found[kind]]
+    one = found["n"] is None and nouns and nouns[0] != "fils" and nouns[0].endswith(("s", "sohne", "children"))
+    return bool(one) and re.search(r"\b(?:another|other|anderen|autre|otr[oa])\b", found.group()) is not None
 
 
 def _within(one: re.Match[str], other: re.Match[str]) -> bool:
