@@ -58,7 +58,7 @@ _SAID = rules((
     (r"\b(?:nobody|no one|none of (?:us|them)|no two (?:people|of us)) (?:(?:wants?|has|have|should|must|needs?) "
      r"(?:to )?)?shares? ?(?:an?|the)?(?: same)?(?: (?:bed ?)?rooms?)?(?={end})", "everyone has their own room"),
     (r"(?P<people>\b{n} (?:{grown}|students|sharers),? )(?:with |and )?(?:an?|one) (?:own )?(?:bed ?)?room (?:for "
-     r")?each(?={end})",
+     r")?each(?={end})(?!,? (?:except|but|apart|save))",
      r"\g<people>everyone has their own room"),
     (r"\b(?:an?|one) (?:own |separate |private |single )?(?:bed ?)?room (?:per|for (?:each|every)) (?:person|head|"
      r"adult|resident|member|one of (?:us|them)|of (?:us|them))(?={end})", "everyone has their own room"),

@@ -125,9 +125,10 @@ class Household:
         return counted_off(known + self.add(phrase.type, most - len(known)), phrase.ordinals)
 
     def _headline(self, phrase: RoomPhrase) -> list[Entity]:
-        count = phrase.count or 0
-        self.totals |= {} if Trait.KIDS in phrase.labels else {phrase.type: math.ceil(count)}
-        found = self.ensure(phrase.type, math.ceil(count), counted=True)
+        count = math.ceil(phrase.count or 0)
+        if phrase.text.isascii() or Trait.KIDS not in phrase.labels:
+            self.totals[phrase.type] = count
+        found = self.ensure(phrase.type, count, counted=True)
         self._half(phrase, found)
         return found
 

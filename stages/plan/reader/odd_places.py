@@ -26,6 +26,11 @@ def _of(found: re.Match[str]) -> str:
     return "the " + _OF_BED.sub(r"\1bedroom", room)
 
 
+def _a(thing: str) -> str:
+    """`bed` as `a bed`, which is no bedroom then."""
+    return thing if re.search(r"s$|^(?:an?|the|one|two|three|\d)\b", thing) else f"a {thing}"
+
+
 def _has_bath(found: re.Match[str]) -> str:
     return f"{_of(found)} has an ensuite bathroom"
 
@@ -42,9 +47,9 @@ _SAID = rules((
                                                                                            f"{_of(found)}"),
     # "desk into kids room", "wardrobe at small bedroom", "sofa on living room"
     (r"(?P<thing>\b{thing}){is_} (?:at|on|into|to|inside(?: of)?|in) (?:the )?{bed}",
-     lambda found: f"{found['thing']} in {_of(found)}"),
+     lambda found: f"{_a(found['thing'])} in {_of(found)}"),
     (r"(?P<thing>\b{thing}){is_} (?:at|on|into|to|inside(?: of)?) (?:the )?{lived}",
-     lambda found: f"{found['thing']} in {_of(found)}"),
+     lambda found: f"{_a(found['thing'])} in {_of(found)}"),
     (r"(?:(?<=^)|(?<=[.;] ))in {bed} (?=(?:is|are|there is|there are|must be|should be|be|has|have) )",
      lambda found: f"in {_of(found)} "),
     (r"\bnext of (?=(?:the )?(?:entrance|{kind}))", "next to "),

@@ -21,7 +21,7 @@ _LEADS = (r"(?:(?:should|must|shall|will|to|has|have|can|would) )*(?:opens?|lead
 _HOME = r"(?:(?: the| our| my)? (?:flat|apartment|home|house|unit|place|studio))?"
 _ELSEWHERE = re.compile(r"\b(?:whose|its|only|al|a la) [^.;]*$|\b(?:to|of|into) (?:the |an? )?[a-z]+,? $")
 """What is entered there is another room: `al lavadero, con lavadora, se entra por la cocina`."""
-_NO_HALL = re.compile(r"\b(?:no|without|n't (?:need|want)|not (?:need|want)|kein\w*|ohne|sans|pas de|sin|ningun) "
+_NO_HALL = re.compile(r"(?:n't (?:need|want)|\b(?:no|without|not (?:need|want)|kein\w*|ohne|sans|pas de|sin|ningun)) "
                       r"(?:an? |any )?(?:[a-z]+ )?(?:hall|hallway|corridor|passage|flur|diele|couloir|pasillo|"
                       r"recibidor)\b")  # fmt: skip
 

@@ -13,6 +13,8 @@ from apartgen.stages.plan.reader.tokens import fold
 
 OUTSIDE = ("balcony",)
 """What nobody counts among rooms."""
+MAIN = ("living_room", "dining_room", "bedroom", "study")
+"""Rooms that are counted where kitchen and bath go without saying."""
 MORE = ("bathroom", "study", "storage", "dining_room", "utility")
 """Rooms that make up a number of which not all are named; a second bathroom from three bedrooms on."""
 _NAMED = {
@@ -98,7 +100,10 @@ def counted(home: Household) -> list[Entity]:
 
 
 def all_named(said: Said, home: Household) -> bool:
-    """Whether the rooms that are named are as many as there may be."""
+    """Whether the rooms that are named are as many as there may be; a number of those to live in is no such number."""
+    main = [room for room in home.rooms if room.type in MAIN]
+    if said.in_all is not None and len(counted(home)) > len(main) == said.in_all[0]:
+        said.in_all = None  # "four rooms altogether: two bedrooms, a study, a living room; plus kitchen and bath"
     return said.in_all is not None and len(counted(home)) >= said.in_all[0]
 
 

@@ -15,15 +15,17 @@ _NOUNS = {
     "boys": r"boys?|sons?|jungs?|jungen?|sohne?n?|garcons?|fils|chicos?|varones|儿子|男孩子?",
     "girls": r"girls?|daughters?|madchen|tochtern?|tochter|filles?|chicas?|ninas?|hijas?|女儿|女孩子?",
     "twins": r"twins|zwillingen?|jumeaux|jumelles|gemel[oa]s|melliz[oa]s|双胞胎",
-    "all": r"ones|kids?|children|child|kind(?:ern?)?|enfants?|hijos?|ninos?|孩子|小孩",
+    "all": r"ones|teenagers?|toddlers?|kids?|children|child|kind(?:ern?)?|enfants?|hijos?|ninos?|孩子|小孩",
 }  # fmt: skip
+_CHILD = "|".join(words.removeprefix("ones|") for words in _NOUNS.values()) + "|teenagers?|baby|bebe"
 _NOUN = "|".join(f"(?P<{kind}>{words})" for kind, words in _NOUNS.items())
 _ANY = "|".join(_NOUNS.values())
 _MY = (r"(?:(?:the|an?|eine?|une?|una|our|my|his|her|their|both|all|die|der|das|den|unsere?n?|meine?n?|beiden?|les|la|"
        r"le|nos|mes|notre|mon|ma|los|las|el|nuestr[oa]s?|mis?|我们?的?) )*(?:l')?")  # fmt: skip
 _AGE = (r"(?:(?:older|younger|elder|eldest|oldest|youngest|little|small|big|teenage|young|grossen?|kleinen?|"
         r"altere[nr]?|jungere[nr]?|petit[es]*|grand[es]*|pequen[oa]s?|mayor(?:es)?|other|only|个) ?)*")  # fmt: skip
-_WHO = rf"(?<![a-z'])(?<!that )(?<!which )(?<!where )(?<!for ){_MY}(?:(?P<n>{_COUNT}) ?)?{_AGE}(?:{_NOUN})(?![a-z'])"
+_WHO = (rf"(?<![a-z'])(?<!that )(?<!which )(?<!where )(?<!for )(?<!of )(?<!of the )(?<!of our ){_MY}(?:(?P<n>{_COUNT}) "
+        rf"?)?{_AGE}(?:{_NOUN})(?![a-z'])")  # fmt: skip
 _SHARE = (r"(?:(?:will|can|should|must|may|are|do|want to|would like to|to|can all|both|always|happily|werden|sollen|"
           r"konnen|doivent|pueden|deben) )*(?:share(?: (?:an?|one|the same|the) (?:bed ?)?room| one| together)?|"
           r"(?:both |all )?together(?= ?[.,;!]|$)|sharing(?: (?:an?|one|the same) (?:bed ?)?room)?|sleep(?:ing|s)? "
@@ -58,21 +60,27 @@ _ELDEST = (rf"(?<![a-z']){_MY}(?:eldest|oldest|youngest|older one|big one|third|
            r"kind|enfant|hij[oa]))?")  # fmt: skip
 _JOINT = (r"(?:[,;:.-]| |\b(?:and|while|but|whereas|who|und|wahrend|aber|die|et|qui|mais|tandis que|y|que|pero|"
           r"mientras que)\b)*")  # fmt: skip
-_MENTION = Late(rf"(?<![a-z\d])(?:{_COUNT}|{_ONE}) ?{_AGE}(?:{_ANY}|baby|bebe|babys|宝宝)(?:(?:,|,? and|,? und|,? et|"
-                rf",? y|,? plus|和) ?(?:{_COUNT}|{_ONE}) ?{_AGE}(?:{_ANY}|baby|bebe|babys|宝宝))*(?![a-z'])(?! "
-                rf"?(?:bed ?)?rooms?)")  # fmt: skip
-_PART = Late(rf"(?<![a-z])(?P<count>{_COUNT}|{_ONE}) ?{_AGE}(?:{_NOUN}|(?P<baby>baby|bebe|babys|宝宝))(?![a-z'])")
+_SOME = (rf"(?:(?:{_COUNT}|{_ONE}) ?{_AGE}(?:{_ANY}|baby|bebe|babys|宝宝)|twins|zwillingen?|jumeaux|jumelles|"
+         rf"gemel[oa]s|双胞胎)")  # fmt: skip
+_MENTION = Late(rf"(?<![a-z\d']){_SOME}(?:(?:,|,? and|,? und|,? et|,? y|,? plus|和) ?{_SOME})*(?![a-z'])(?! ?(?:bed "
+                rf"?)?rooms?)")
+_PART = Late(rf"(?<![a-z])(?:(?P<count>{_COUNT}|{_ONE}) ?)?{_AGE}(?:{_NOUN}|(?P<baby>baby|bebe|babys|宝宝))(?![a-z'])")
 _SHARED = Late(rf"{_JOINT}{_WHO},? ?(?:who |die |qui |que )?{_SHARE}(?={END}|,? (?:and|while|but|und|et|y|aber|mais|"
                rf"pero) |$)")
 _ALONE = Late(rf"{_JOINT}(?:{_WHO}|(?P<eldest>{_ELDEST})),? ?(?:who |die |der |das |qui |que )?{_OWN}(?={END}| and | "
               rf"while | und | et | y |$)")
 _BABIES = Late(rf"{_JOINT}{_BABY} ?(?:{_WITH_US})(?={END}| and | und | et | y |$)")
+_TOGETHER = re.compile("[一合共]起?[住睡用]")
 _FAMILY = re.compile(r"(?:\b(?:we are|wir sind|nous sommes|somos) )?(?:\b(?:an?|the|eine?|une|una) )?\bfamil(?:y|ie|"
                      r"le|ia)(?: (?:with|of|has|mit|avec|con|de|von|die hat))? ?$")  # fmt: skip
 """What stands before children of whom only the rooms are left."""
 _ELSE = re.compile(r"(?<!our )(?<!our own )(?<!parents' )(?<!master )(?<!main )\b(?:bed ?rooms?|schlafzimmer|"
-                   r"chambres?|dormitorios?|habitacion(?:es)?)\b|卧室")  # fmt: skip
-_OTHERS = ("kids room", "children's room", "nursery", "kinderzimmer", "儿童房", "guest room", "grand")
+                   r"chambres?|dormitorios?|habitacion(?:es)?)\b|卧室|\b(?:parents?|eltern|padres|each|own|us in|in a "
+                   r"third|another|others?|jeder?|chacune?|cada)\b|"
+                   rf"父母|(?<![a-z'])(?:{_CHILD})(?![a-z'])")  # fmt: skip
+_OTHERS = ("kids room", "children's room", "nursery", "kinderzimmer", "儿童房", "guest room",
+           "grand", "except", "friend", "student",
+           "mates", "colleague", "my parents", "meine eltern", "mes parents", "mis padres")
 """Rooms that are told of otherwise: then nothing is summed here."""
 
 
@@ -96,7 +104,8 @@ def sleepers(text: str) -> list[int] | None:
 
 def _told(text: str) -> tuple[list[int], str, int] | None:
     """Children by room, the text without them, and where they stood."""
-    shared, babies = list(_SHARED.finditer(text)), list(_BABIES.finditer(text))
+    shared = [one for one in _SHARED.finditer(text) if one[0].isascii() or one["n"] or _TOGETHER.search(one[0])]
+    babies = list(_BABIES.finditer(text))
     if not (shared or babies) or COUNTED.search(text) or any(word in text for word in _OTHERS):
         return None
     groups = {kind: 0 for kind in _NOUNS}
@@ -104,10 +113,10 @@ def _told(text: str) -> tuple[list[int], str, int] | None:
     for part in _PART.finditer(mention.group()) if mention else []:
         kind = next((kind for kind in _NOUNS if part[kind]), None)
         if kind:
-            groups[kind] += _value(part["count"])
+            groups[kind] += _value(part["count"]) if part["count"] else 2
     alone = [one for one in _ALONE.finditer(text) if not any(_within(one, other) for other in [*shared, *babies])]
     each = list(alone)
-    total = sum(groups.values()) or 0
+    total = sum(groups.values())
     rooms = [max(_of(one, groups), 2) for one in shared]
     rooms += [2 for one in alone if _several(one)]  # "our boys sleep in one room, our girls in another"
     alone = [one for one in alone if not _several(one)]

@@ -12,9 +12,11 @@ from apartgen.schemas.rooms import kinds
 from apartgen.stages.plan.reader.about import People
 from apartgen.stages.plan.reader.desks import STUDY
 from apartgen.stages.plan.reader.doors import Doors
+from apartgen.stages.plan.reader.families import COUNTED
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.tokens import fold
 from apartgen.stages.plan.reader.vocabulary import Trait
 
 STUDIO = 38.0
@@ -47,7 +49,8 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     child = bool(known) and all((beside | {Trait.KIDS}) & e.labels for e in known)
     child = child and any(Trait.KIDS in e.labels for e in known)  # "two kids' rooms and a guest room"
     couple, one = people is not None and people.pairs > 0, len(known) == 1 and not counted
-    child = child and (one or couple or bool(said.dwelling) or said.about.lived)  # "a flat with two kids' rooms"
+    theirs = said.about.lived and not COUNTED.search(fold(said.prompt))  # "we want two kids' rooms"
+    child = child and (one or couple or bool(said.dwelling) or theirs)  # "a flat with two kids' rooms" has parents
     if (child or (apart and not counted)) and not ("bedroom" in home.totals or said.main_rooms):
         many = bedrooms(people, said.total_area, rng) if apart and people else 1
         home.add("bedroom", max(many, 1))  # of those whose child, guest or maid sleeps there
