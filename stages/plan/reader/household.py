@@ -126,8 +126,7 @@ class Household:
 
     def _headline(self, phrase: RoomPhrase) -> list[Entity]:
         count = math.ceil(phrase.count or 0)
-        if phrase.text.isascii() or Trait.KIDS not in phrase.labels:
-            self.totals[phrase.type] = count
+        self.totals |= {} if Trait.KIDS in phrase.labels and not phrase.text.isascii() else {phrase.type: count}
         found = self.ensure(phrase.type, count, counted=True)
         self._half(phrase, found)
         return found
