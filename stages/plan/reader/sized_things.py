@@ -32,7 +32,6 @@ _THINGS = {
         r"ventanas?|窗户?|窗台"
     ),
     "walls": r"(?:(?:outer|inner|exterior|interior|all|party) )*walls?|(?:innen|aussen)?wande?|murs?|paredes|pared|墙",
-    "ceilings": r"ceilings?|decken?(?!lampe)|plafonds?|techos?",
 }
 _UNIT = (r"(?:cm|mm|centim(?:et(?:er|re)s?|etros?)|inch(?:es)?|in\b|feet|foot|ft|met(?:er|re)s?|metros?|m(?![\w²])|"
          r"厘米|公分|米)")  # fmt: skip
@@ -117,5 +116,4 @@ def _why(kind: str, text: str) -> str:
         high = re.search(r"high|tall|height|hoch|hohe|haut|alto|altura|高|thick|dick", text)
         kind, how = "doors", "high" if high else "wide"
         return f"how {how} {kind} are is not asked of a plan"
-    verb = "is" if kind == "furniture" else "are"
-    return f"how {'high' if kind == 'ceilings' else 'large'} {kind} {verb} is not asked of a plan"
+    return f"how large {kind} {'is' if kind == 'furniture' else 'are'} is not asked of a plan"

@@ -19,7 +19,8 @@ _THEY = (r"(?:an? (?:[a-z]+ )?robots?|robots?|participants|subjects|people|users
          r"(?:robots?|participants|agents?|users|subjects))\b")  # fmt: skip
 _SAID = rules((
     # "an interaction study", "HRI studies"
-    (r"\b(?:(?:an?|our|my|the|this) )?(?:{topic}[ -](?:and )?)+stud(?:y|ies)\b(?! ?-?rooms?\b| of \d)", "research"),
+    (r"\b(?:(?:an?|our|my|the|this) )?(?<!for a )(?<!for an )(?<!for our )(?<!for my )(?<!for the )(?<!for )"
+     r"(?:{topic}[ -](?:and )?)+stud(?:y|ies)\b(?! ?-?rooms?\b| of \d)", "research"),
     # "study participants", "the participants of our study"
     (r"\bstudy (participants?|subjects?|volunteers?|protocol|design|conditions?|sessions?)\b", r"research \1"),
     (r"\b(participants|subjects|volunteers) (of|in|for) (?:our|the|this|my|a) study\b", r"\1 \2 our research"),

@@ -49,8 +49,9 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     child = bool(known) and all((beside | {Trait.KIDS}) & e.labels for e in known)
     child = child and any(Trait.KIDS in e.labels for e in known)  # "two kids' rooms and a guest room"
     couple, one = people is not None and people.pairs > 0, len(known) == 1 and not counted
-    theirs = said.about.lived and not COUNTED.search(fold(said.prompt))  # "we want two kids' rooms"
-    child = child and (one or couple or bool(said.dwelling) or theirs)  # "a flat with two kids' rooms" has parents
+    several = any(Trait.KIDS in p.labels and (p.count or 1) > 1 for p in said.rooms)
+    ours = several and said.about.lived and not COUNTED.search(fold(said.prompt))  # "we want two kids' rooms"
+    child = child and (one or couple or bool(said.dwelling) or ours)  # "a flat with two kids' rooms" has parents
     if (child or (apart and not counted)) and not ("bedroom" in home.totals or said.main_rooms):
         many = bedrooms(people, said.total_area, rng) if apart and people else 1
         home.add("bedroom", max(many, 1))  # of those whose child, guest or maid sleeps there
