@@ -19,7 +19,7 @@ _THEY = (r"(?:an? (?:[a-z]+ )?robots?|robots?|participants|subjects|people|users
          r"(?:robots?|participants|agents?|users|subjects))\b")  # fmt: skip
 _SAID = rules((
     # "an interaction study", "HRI studies"
-    (r"\b(?:(?:an?|our|my|the|this) )?(?<!for a )(?<!for an )(?<!for our )(?<!for my )(?<!for the )(?<!for )"
+    (r"\b(?:(?:an?|our|my|the|this) )?(?<!for a )(?<!for an )(?<!for our )(?<!for my )(?<!for the )"
      r"(?:{topic}[ -](?:and )?)+stud(?:y|ies)\b(?! ?-?rooms?\b| of \d)", "research"),
     # "study participants", "the participants of our study"
     (r"\bstudy (participants?|subjects?|volunteers?|protocol|design|conditions?|sessions?)\b", r"research \1"),

@@ -29,7 +29,8 @@ _SAID = rules((
     (r"(?P<with>(?<=rooms) with )?\b(?:(?:the|an?|one|own) )?(?P<of>{shower})(?: and|,| &|/| \+) (?:(?:the|an?|one) "
      r")?{wc},? {be}{apart}(?: (?:from (?:each other|one another)|of each other))?(?! (?:from|to|of|for|with))", _both),
     (r"\bseparated? {wc}(?: and| &|/| \+) (?P<of>shower)\b(?! ?room)", _both),
-    (r"\b(?:(?:the|an?|one) )?{wc},? {be}{apart} (?:from|of) (?:the |an? )?(?P<of>{shower})\b", _both),
+    (r"\b(?:(?:the|an?|one) )?{wc},? {be}{apart} (?:from|of) (?:the |an? )?(?P<of>shower)(?:[ -]?room)?\b", _both),
+    (r"\b(?:(?:the|an?|one) )?{wc},? {be}(?:split|apart|detached) (?:from|of) (?:the |an? )?(?P<of>{shower})\b", _both),
     (r"\b(?:(?:the|an?|one) )?{wc},? {be}not in (?:the|an?) (?P<of>{shower}),? but {be}(?:{apart}|outside(?: of)? it)",
      _both),
     (r"\b(?:(?:the|an?|one) )?{wc},? {be}{apart},? {apart} (?:from|of) (?:the |an? )?(?P<of>{shower})\b", _both),
