@@ -5,7 +5,7 @@ import re
 from apartgen.stages.plan.reader.pieces import reworded, rules
 
 _WHICH = (r"(?:(?:very )?(?:big|large|main|master|first|second|third|small|little|biggest|bigger|largest|larger|"
-          r"smallest|smaller|guests?'?|parents?'?|kids?'?s?|children'?s?|other|our|my))")  # fmt: skip
+          r"smallest|smaller|guests?'?|parents?'?|kids?'?s?|children'?s?|other))")  # fmt: skip
 _BED = rf"(?P<of>(?:{_WHICH} )+(?:bed ?)?room|(?:the )?master|bed ?room)\b(?! (?:suite|door|window|wing))"
 _LIVED = r"(?P<of>living room|kitchen|lounge|dining room|study)\b"
 _OUTSIDE = r"(?P<out>balcon(?:y|ies)|terraces?|loggias?|verandas?)"
@@ -26,9 +26,10 @@ def _of(found: re.Match[str]) -> str:
     return "the " + _OF_BED.sub(r"\1bedroom", room)
 
 
-def _a(thing: str) -> str:
-    """`bed` as `a bed`, which is no bedroom then."""
-    return thing if re.search(r"s$|^(?:an?|the|one|two|three|\d)\b", thing) else f"a {thing}"
+def _a(found: re.Match[str]) -> str:
+    """`bed` that begins a clause as `a bed`, which is no bedroom then."""
+    thing, opens = found["thing"], re.search(r"(?:^|[.;,:]) *$", found.string[: found.start()])
+    return thing if not opens or re.search(r"s$|^(?:an?|the|one|two|three|\d)\b", thing) else f"a {thing}"
 
 
 def _has_bath(found: re.Match[str]) -> str:
@@ -46,10 +47,10 @@ _SAID = rules((
     (r"\b{out}{is_} (?:at|to|into|inside(?: of)?|next of) (?:the )?{lived}", lambda found: f"{found['out']} off "
                                                                                            f"{_of(found)}"),
     # "desk into kids room", "wardrobe at small bedroom", "sofa on living room"
-    (r"(?P<thing>\b{thing}){is_} (?:at|on|into|to|inside(?: of)?|in) (?:the )?{bed}",
-     lambda found: f"{_a(found['thing'])} in {_of(found)}"),
+    (r"(?P<thing>\b{thing}){is_} (?:(?:at|on|into|to|inside(?: of)?) (?:the )?|in ){bed}",
+     lambda found: f"{_a(found)} in {_of(found)}"),
     (r"(?P<thing>\b{thing}){is_} (?:at|on|into|to|inside(?: of)?) (?:the )?{lived}",
-     lambda found: f"{_a(found['thing'])} in {_of(found)}"),
+     lambda found: f"{_a(found)} in {_of(found)}"),
     (r"(?:(?<=^)|(?<=[.;] ))in {bed} (?=(?:is|are|there is|there are|must be|should be|be|has|have) )",
      lambda found: f"in {_of(found)} "),
     (r"\bnext of (?=(?:the )?(?:entrance|{kind}))", "next to "),
