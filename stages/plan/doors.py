@@ -32,6 +32,8 @@ BARS, PASSED = 8.0, 0.32
 in, m."""
 LEAF = 0.05
 """Thickness of a leaf that stands open, m."""
+ASIDE, HALVED = 1.1, 0.7
+"""So far from a corner, m, a door begins to halve the wall for furniture; cost of a metre more, up to one."""
 WITHIN, AS_FAR = 0.05, 20.0
 """A wall is followed so deep in its room, m, and no farther than that."""
 
@@ -188,7 +190,7 @@ def _placed(face: Face, width: float, into: str, room: Polygon, extra: float, mi
         sweep = _box(face, lo, hi, 0.0, width) if mine else _box(face, lo, hi, -gap - width, -gap)
         front, way = (_fronts(face, lo, hi, depth) for depth in deep)
         left, right = before + lo, face.length - hi + after
-        middle = 0.6 * min(left, right, 1.5)
+        middle = 0.6 * min(left, right, 1.5) + HALVED * min(max(min(left, right) - ASIDE, 0.0), 1.0)
         for hinge, beside in ((0, left), (1, right)):
             cost = extra + min(beside, 0.8) + middle
             edge = hi - LEAF if hinge else lo

@@ -15,7 +15,7 @@ AFAR = 1.0
 """Cost of a metre between the entrance and the place that ways were reckoned from."""
 SERVED, CARRIED = 1.5, 3.5
 """Cost of a metre by which a kitchen's door in a hall is farther than that from the door to where one eats, m."""
-RETIRED = 1.0
+RETIRED = 2.0
 """Cost of a metre by which a bedroom's door is nearer to the entrance than that of the living room."""
 DETOUR = 0.3
 """Cost of a metre that the way from the entrance through a door to a room's middle is longer than the straight one."""

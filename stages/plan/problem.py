@@ -30,7 +30,7 @@ SERVED = 12.0
 """What a metre counts that the walls for the doors of such a kitchen and of that room are too far apart in a hall."""
 CUT_OFF = 0.05
 """Share of draws in which such a kitchen need not lie there."""
-PARTED, QUIET = 0.8, 12.0
+PARTED, QUIET = 0.9, 12.0
 """Share of draws in which two bedrooms, where there are no more, had better share no wall (people build a third of them
 so that they do), and what a metre of it counts then."""
 ODD = (0.6, 2.0)

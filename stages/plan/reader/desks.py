@@ -16,6 +16,8 @@ ONE_ROOM = 35.0
 STUDY_FROM = {1: 60.0}
 STUDY_FOR_MORE = 70.0
 """Floor of homes with open rooms from which one who works there has a study, and two."""
+ONE_EACH_FROM = 85.0
+"""Floor of homes with open rooms from which two who work there have a study each: who calls is heard in one."""
 STUDY = 9.0
 """Floor of a study, m²."""
 LISTED = 2
@@ -23,7 +25,7 @@ LISTED = 2
 
 
 def add_study(said: Said, home: Household) -> None:
-    """A study for those who work at home where a prompt names neither bedrooms nor a list of rooms."""
+    """A study, or two, for those who work at home where a prompt names neither bedrooms nor a list of rooms."""
     many = said.working.count
     if not many or home.of("study") or ("study", "") in home.banned or said.only or _placed(home):
         return
@@ -34,8 +36,8 @@ def add_study(said: Said, home: Household) -> None:
     if ("bedroom", "") in home.banned or (not home.rooms and not said.dwelling and said.about.people is None):
         return
     if said.total_area is None or said.total_area >= STUDY_FROM.get(many, STUDY_FOR_MORE):
-        home.add("study")
-        said.study_for_work = True
+        said.studies_for_work = 2 if many > 1 and (said.total_area or 0.0) >= ONE_EACH_FROM else 1
+        home.add("study", said.studies_for_work)
 
 
 def add_desks(said: Said, home: Household) -> None:

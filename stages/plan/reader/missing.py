@@ -143,7 +143,7 @@ def _around_living(said: Said, home: Household, doors: Doors) -> bool:
 def _bedrooms(said: Said, data: dict[str, Any]) -> int:
     if said.total_area is None:
         return int(data["bedrooms"])
-    area = said.total_area - (STUDY if said.study_for_work else 0.0)
+    area = said.total_area - STUDY * said.studies_for_work
     return int(next(n for most, n in data["bedrooms_from_area"] if area < most))
 
 

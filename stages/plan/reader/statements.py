@@ -39,7 +39,7 @@ class Said:
 
     `equal` says that the rooms one lives and sleeps in, which are counted together, are of one size; `in_all` is how
     many rooms there are to be, with the words; `uncounted` are things without a room of which nobody says how many.
-    `study_for_work`: those who work at home have a study unsaid.
+    `studies_for_work`: that those who work at home have unsaid.
     """
 
     rooms: list[RoomPhrase] = field(default_factory=list)
@@ -68,7 +68,7 @@ class Said:
     prompt: str = ""
     about: About = field(default_factory=About)
     working: Working = field(default_factory=Working)
-    study_for_work: bool = False
+    studies_for_work: int = 0
 
 
 def door_pairs(items: list[Item]) -> list[Item]:

@@ -62,14 +62,14 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
         said.dwelling = "studio"
     elif said.about.people is not None:
         many = bedrooms(said.about.people, beside_study(said), rng)
-        many = max(many, int(said.study_for_work))  # who has a study sleeps elsewhere
+        many = max(many, min(said.studies_for_work, 1))  # who has a study sleeps elsewhere
         home.add("bedroom", many - len(home.of("bedroom")))
         said.dwelling = said.dwelling if many else "studio"
 
 
 def beside_study(said: Said) -> float | None:
-    """Area of a home beside the study of those who work there."""
-    return None if said.total_area is None else said.total_area - (STUDY if said.study_for_work else 0.0)
+    """Area of a home beside the studies of those who work there."""
+    return None if said.total_area is None else said.total_area - STUDY * said.studies_for_work
 
 
 def bedrooms(people: People, total: float | None, rng: Generator | None) -> int:
@@ -105,7 +105,7 @@ def _draw(said: Said, home: Household, doors: Doors, rng: Generator) -> None:
     beds = min(len(home.of("bedroom")), 5)
     lots = {name: float(rng.random()) < shares[beds] for name, shares in _data()["share"].items()}
     lots["second_balcony"] &= lots["balcony"]
-    lots["study"] &= not said.study_for_work
+    lots["study"] &= not said.studies_for_work
     for kitchen in home.of("kitchen"):
         living = home.of("living_room")
         if lots["open_kitchen"] and beds and not home.closed_kitchen:
