@@ -31,6 +31,7 @@ from apartgen.stages.plan.relax import ladder
 from apartgen.stages.plan.slicing import EPS, LACKING, Floats, Ints, Problem
 from apartgen.stages.plan.starts import Known, known, start
 from apartgen.stages.plan.turn import askew, turned, turned_plan
+from apartgen.stages.plan.wishes import placed
 
 HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""
@@ -41,6 +42,8 @@ CHOICE = 48
 BEYOND = 5.0
 TRIED = 72
 """Arrangements that take no doors or windows after which a step is given up, within a given outline."""
+LOOKS = 5
+"""Whims from the first that has a plan, of which the plan that meets most is taken where it is told where rooms lie."""
 PATIENCE = 6
 """Waves of runs on one whim; it is dropped after the first where none is valid."""
 
@@ -172,7 +175,7 @@ def _solved(program: Program, config: PlanConfig, rng: Generator, each: Each) ->
     program, angle = _upright(program)
     closest: list[Run] = []
     for step in ladder(program):
-        tried, inside = 0, indoors(step.program)
+        tried, inside, best, left = 0, indoors(step.program), list[Plan](), LOOKS if placed(program) else 1
         trees = known(inside)
         for failed in range(-(-config.whims // 2) if step.slack != Slack() and step.given_up else config.whims):
             valid: list[Run] = []
@@ -186,12 +189,16 @@ def _solved(program: Program, config: PlanConfig, rng: Generator, each: Each) ->
                     break
             tried += len(valid)
             plan = _first(about, valid, config, step.given_up, rng)
-            if plan is not None:
-                for line in step.given_up:
-                    log.warning("plan: %s", line)
-                return _told(judged(_turned_back(plan, angle, envelope)))
+            best = sorted([*best, *([plan] if plan is not None else [])], key=unmet)[:1]
+            left -= bool(best)
+            if best and (left < 1 or unmet(best[0]) == 0):
+                break
             if tried >= TRIED and envelope.outline is not None:
                 break
+        if best:
+            for line in step.given_up:
+                log.warning("plan: %s", line)
+            return _told(judged(_turned_back(best[0], angle, envelope)))
     raise Unmet(told(program, closest[0].missed() or ["the doors get in each other's way"]))
 
 
