@@ -2,8 +2,8 @@
 
 from apartgen.stages.plan.reader.belongings import OWNED_BY, belongs, beside_another, is_the_suite, of_the_first
 from apartgen.stages.plan.reader.clausal import ahead, several_new
+from apartgen.stages.plan.reader.loose import loose, never_in, with_one_another
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
-from apartgen.stages.plan.reader.shared_out import usual_in
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.vocabulary import Det
 from apartgen.stages.things.categories import TABLE
@@ -15,6 +15,7 @@ PLURAL = ("have", "need", "get", "should have", "must have")
 
 def attach_owned(items: list[Item], said: Said) -> list[Item]:
     """`bedroom with ensuite and two desks`, `master bedroom (walk-in closet)`, `two desks in the study`."""
+    items = with_one_another(items)
     out: list[Item] = []
     k = 0
     while k < len(items):
@@ -67,7 +68,7 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             out += [item] if item.kind == "with" and item.value == "has" else []
             continue
         elif item.kind in ("object", "objects"):
-            _loose(item, out, items[k + 1 :], said)
+            loose(item, out, items[k + 1 :], said)
         if item.kind not in ("object", "objects"):
             out.append(item)
         k += 1
@@ -211,6 +212,8 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
             and items[k + 2].room is not None
         ):
             break
+        if item.kind == "object" and never_in(item, owner):
+            break  # "a kitchen with a table, and a shower"
         if item.kind == "object":
             many = owner.plural or (owner.count or 1) > 1 or owner.quantifier in (Det.EACH, Det.ALL, Det.BOTH)
             many = many or owner.text.endswith("others")
@@ -267,34 +270,3 @@ def _closes_list(following: list[Item]) -> bool:
 def _each_after(items: list[Item], k: int) -> bool:
     following = items[k + 1].room if k + 1 < len(items) else None
     return following is not None and following.type == "" and following.quantifier == Det.EACH and not following.labels
-
-
-def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> None:
-    """Furniture named before its room (`flat with a desk, a chair and a lamp in the study`), or with no room at all."""
-    holder = None
-    after = after[1:] if after and after[0].kind == "copula" else after  # "a wardrobe must be in every bedroom"
-    lists = bool(after) and is_mark(after[0], ",") and all(r.headline for r in rooms_of(before))
-    if lists or (after and after[0].kind in ("with", "conjunction", "object", "link")):
-        inside = next((j for j, x in enumerate(after) if x.kind == "with" and x.value == "in"), None)
-        if (
-            inside is not None
-            and inside + 1 < len(after)
-            and all(x.kind in ("object", "conjunction", "mark", "objects") or x.value == "with" for x in after[:inside])
-        ):
-            holder = after[inside + 1].room
-            holder = None if lists and rooms_of(before) and not usual_in(item, holder) else holder
-    known = [i.room for i in before if i.room is not None]
-    end = next((j for j, x in enumerate(after) if x.kind not in ("object", "conjunction", "objects")), len(after))
-    in_it = [i.value for i in after[end : end + 1]] == ["in"]
-    in_it = in_it and (len(after) == end + 1 or after[end + 1].kind in ("mark", "conjunction"))
-    if holder is None and in_it and known:
-        holder = known[0]  # "the baby's room is small, and we need a cot in it"
-    if holder is None and not (after and after[0].kind == "with"):
-        holder = known[-1] if known and (item.kind == "objects" or known[-1].objects) else None
-    if holder is None:
-        said.loose_objects.append((item.value if item.kind == "object" else "", int(item.number)))
-        said.uncounted |= {item.value} if item.form == "some" else set()
-    elif item.kind == "objects":
-        holder.object_count = int(item.number)
-    else:
-        holder.objects.append((item.value, int(item.number)))

@@ -40,6 +40,7 @@ from apartgen.stages.plan.reader.resized import of_the_last
 from apartgen.stages.plan.reader.rooms_in_all import rooms_in_all
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from apartgen.stages.plan.reader.sized_things import sized_things
+from apartgen.stages.plan.reader.stands_where import stands_where
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
 from apartgen.stages.plan.reader.tokens import tokenize
 from apartgen.stages.plan.reader.unread import can_be_met, limits, without_taken
@@ -56,6 +57,7 @@ def parse(prompt: str) -> Said:
     working, text = working_at_home(prompt)
     text, in_all = rooms_in_all(text)
     text, sizes = sized_things(text)
+    text, spots = stands_where(text)
     folded = in_known_words(text)
     placed, beyond = beside_things(without_taken(folded))
     people, text = housed(placed)
@@ -64,7 +66,7 @@ def parse(prompt: str) -> Said:
     words = lexemes(tokenize(text), lexicon)
     words = bedrooms_apiece(quantities(words), whole.people.count if whole.people else 0)
     words = purposes(for_people(words))
-    said = Said(about=whole, prompt=prompt, working=working, in_all=in_all, beyond=[*sizes, *limits(folded), *beyond])
+    said = Said(about=whole, prompt=prompt, working=working, in_all=in_all, beyond=[*sizes, *spots, *limits(folded), *beyond])
     said.corrected = [slip for word in words for slip in word.slips]
     if described(words, said):
         return said

@@ -239,6 +239,8 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
         if category in said.uncounted & counted or category in {one for _, one, _ in shared}:
             continue
         if homes := _homes(category, home):
+            for one in homes if count == 0 else []:  # "no rugs": in none of the rooms that would have one
+                wanted.setdefault((ids[id(one)], category), 0)
             key = ids[id(homes[0])], category
             wanted[key] = wanted.get(key, 0) + count
         else:

@@ -6,7 +6,7 @@ from functools import cache
 from apartgen.stages.plan.reader.patterns import Late, late
 from apartgen.stages.plan.reader.tokens import fold
 
-_THINGS = {
+THINGS = {
     "furniture": (
         r"(?:all |any |every |each )?(?:furniture|furnishings?|pieces?|objects?)|mobel(?:stucke?)?|meubles?|muebles?|"
         r"家具|(?:(?:double|single|bunk|king|queen|twin|box|hospital|doppel|einzel|etagen|ehe|hoch|kinder|"
@@ -85,7 +85,7 @@ def sized_things(text: str) -> tuple[str, list[tuple[str, str]]]:
 def _patterns() -> list[tuple[str, Late, bool]]:
     """Kinds of things, how their sizes are said, and whether the thing is to be had as well."""
     out = []
-    for kind, things in _THINGS.items():
+    for kind, things in THINGS.items():
         named = {**_NAMED, "thing": rf"(?P<thing>(?<![a-z'-])(?:{things})(?![a-z]))"}
         has = kind == "furniture"
         out += [
