@@ -37,7 +37,7 @@ def loose(item: Item, before: list[Item], after: list[Item], said: Said) -> None
             and all(x.kind in ("object", "conjunction", "mark", "objects") or x.value == "with" for x in after[:inside])
         ):
             holder = after[inside + 1].room
-            holder = None if lists and rooms_of(before) and not usual_in(item, holder) else holder
+            holder = None if lists and not usual_in(item, holder) else holder
     known = [i.room for i in before if i.room is not None]
     end = next((j for j, x in enumerate(after) if x.kind not in ("object", "conjunction", "objects")), len(after))
     in_it = [i.value for i in after[end : end + 1]] == ["in"]

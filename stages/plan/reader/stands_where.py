@@ -44,7 +44,7 @@ def _patterns() -> list[Late]:
     named = {"thing": things, "stands": _STANDS, "adj": _ADJ, "room": _ROOM, "corner": _ECKE}
     return [Late(pattern, named) for pattern in (
         rf"(?P<thing>{{thing}})(?P<said>{{stands}}{_SPOT}){_HOME}(?: of (?P<of>(?:the|my|our|each|every) ))?",
-        rf"(?P<thing>{{thing}})(?P<said>{{stands}}{_ORT})(?: (?P<of>de[sr] )(?=[a-z]))?",
+        rf"(?P<thing>{{thing}})(?P<said>{{stands}}{_ORT})(?: (?P<of>de[sr] [a-z]+))?",
         rf"(?P<thing>{{thing}}{{adj}}|(?P<desk>(?:petit |grand )?bureau)(?=[^,.;]*(?:fenetre|mur)))"
         rf"(?P<said>{{stands}}{_LIEU})(?: (?P<of>de la |du |de l'))?",
         rf"(?P<thing>{{thing}}{{adj}})(?P<said>{{stands}}{_SITIO})(?: (?P<of>del |de la ))?",
@@ -53,7 +53,8 @@ def _patterns() -> list[Late]:
         r"(?P<thing>{thing}(?:要|应该?|需要?)?(?:放在?|摆在?|在|位于)(?:{room}))(?P<said>的?{corner})(?=[,.;]|$)",
         r"(?P<thing>{thing})(?P<said>(?:要|应该?|需要?)?(?:放在?|摆在?|在|位于|靠着?)?的?(?:{corner}|靠?[窗墙]))(?=[,.;]|$)",
         # "in the corner stands a grey sofa"
-        rf"(?P<thing>(?:^|(?<=[.;,] )|(?<= and )))(?P<said>{_SPOT}){_HOME},? (?:(?P<is>there (?:is|are|stands)|stands?|is"
+        rf"(?P<thing>(?:^|(?<=[.;,] )|(?<= and )))(?P<said>{_SPOT}){_HOME}(?: of (?P<of>(?:the|my|our) (?:[a-z]+ room|kitchen|study|lounge|bedroom))"
+        rf"\b)?,? (?:(?P<is>there (?:is|are|stands)|stands?|is"
         r"|goes) )?(?=(?:an?|the|one|two|some) (?:[a-z]+ ){0,2}?{thing})",
     )]  # fmt: skip
 
@@ -68,18 +69,26 @@ def stands_where(text: str) -> tuple[str, list[tuple[str, str]]]:
             groups = found.groupdict()
             said.append((found["said"].strip(" ,"), WHY))
             if found["thing"] == "":
-                return "there is " if groups.get("is") else ""
+                there = "there is " if groups.get("is") else ""
+                return f"in {groups['of']} {there or 'there is '}" if groups.get("of") else there
             if _known(found) and not groups.get("of"):
                 return ""
             thing = "table de travail" if groups.get("desk") else found["thing"]
-            return thing + _IN.get((groups.get("of") or "").strip(), f" in {groups.get('of')}")
+            return thing + _inside((groups.get("of") or "").strip())
 
         folded = pattern.sub(told, folded)
     return (folded, said) if said else (text, [])
 
 
-_IN = {"": "", "des": " im ", "der": " in der ", "du": " dans le ", "de la": " dans la ", "de l'": " dans l'",
-       "del": " en el "}  # fmt: skip
+_IN = {"": "", "du": " dans le ", "de la": " dans la ", "de l'": " dans l'", "del": " en el "}
+
+
+def _inside(of: str) -> str:
+    """`of the living room`, `des Wohnzimmers` behind the corner that a thing stands in: the thing is in that room."""
+    article, _, room = of.partition(" ")
+    if room and article in ("des", "der"):
+        return f" im {room.removesuffix('s')}" if article == "des" else f" in der {room}"
+    return _IN.get(of, f" in {of} ")
 
 
 def _known(found: re.Match[str]) -> bool:
