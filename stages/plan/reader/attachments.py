@@ -217,7 +217,7 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
         if item.kind == "object":
             many = owner.plural or (owner.count or 1) > 1 or owner.quantifier in (Det.EACH, Det.ALL, Det.BOTH)
             many = many or owner.text.endswith("others")
-            owner.objects.append((item.value, 1 if many and item.form == "some" else int(item.number)))
+            owner.objects.append((item.value, 1 if many and item.form == "some" and item.number else int(item.number)))
         elif item.kind == "objects":
             owner.object_count = int(item.number)
         elif item.room is not None and is_the_suite(owner, item.room, bare, first):

@@ -24,6 +24,11 @@ def never_in(item: Item, room: RoomPhrase) -> bool:
     return item.kind == "object" and room.type in DRY and TABLE[item.value].rooms == ("bathroom",)
 
 
+def bathed(said: Said) -> bool:
+    """Whether a bath, a shower or a toilet is asked for that no room is told to have: there is a bathroom for it."""
+    return any(count and TABLE[category].rooms == ("bathroom",) for category, count in said.loose_objects if category)
+
+
 def loose(item: Item, before: list[Item], after: list[Item], said: Said) -> None:
     """Furniture named before its room (`flat with a desk, a chair and a lamp in the study`), or with no room at all."""
     holder = None

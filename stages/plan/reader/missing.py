@@ -6,6 +6,7 @@ from apartgen.stages.plan.reader.desks import STUDY
 from apartgen.stages.plan.reader.doors import Doors
 from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.household import Household
+from apartgen.stages.plan.reader.loose import bathed
 from apartgen.stages.plan.reader.mention import OPEN_TYPES
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Said
@@ -52,6 +53,7 @@ def _lone(said: Said, home: Household) -> bool:
         or any(e.labels & {Trait.KIDS, Trait.RELATIVE} for e in home.of("bedroom"))
         or (home.of("bedroom") and len(said.unread) > 1)  # what is told of people and purposes is told of a home
         or len(home.of("bedroom")) > 1
+        or (bathed(said) and not home.of("bathroom"))
         or all(p.type in ("hallway", "any") and p.quantifier in (Det.THE, Det.EACH) for p in said.rooms)  # "every room"
     )
     return len(home.rooms) < 3 and not homely

@@ -27,7 +27,9 @@ _RULES = (
           r"mismo|每个?人|人人|一样|相同|(?:habitaciones|dormitorios|cuartos) (?:de|para|infantil)"), "each_own"),
     (late(r"shar(?:e|ing)|sleep|together|in one (?:bed ?)?room|(?:with|in with) us|in our|schlaf(?:en|t) |teilen|"
           r"dor(?:t|ment) |partagent|duerme|comparten|一起|合住|共用|[住睡]"), "siblings"),
-    (late(r"and (?:i|we)\b|\bis for\b|\bbureau|[卧房厅厨阳玄].*?, ?.{0,8}[有放摆配带]"), "things_told"),
+    (late(r"and (?:i|we)\b|\bis for\b|\bbureau|with (?:[a-z]+ )?chairs|\b(?:fetch|pick|bring|take|carry|move|grab|get|"
+          r"deliver|put|place|find|collect|navigate|drop|return|retrieve)\b|"
+          r"[卧房厅厨阳玄].*?, ?.{0,8}[有放摆配带]"), "things_told"),
 )  # fmt: skip
 """Words of which one stands in every text that a module changes; the module, whose function has the same name."""
 

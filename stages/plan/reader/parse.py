@@ -66,7 +66,8 @@ def parse(prompt: str) -> Said:
     words = lexemes(tokenize(text), lexicon)
     words = bedrooms_apiece(quantities(words), whole.people.count if whole.people else 0)
     words = purposes(for_people(words))
-    said = Said(about=whole, prompt=prompt, working=working, in_all=in_all, beyond=[*sizes, *spots, *limits(folded), *beyond])
+    beyond = [*sizes, *spots, *limits(folded), *beyond]
+    said = Said(about=whole, prompt=prompt, working=working, in_all=in_all, beyond=beyond)
     said.corrected = [slip for word in words for slip in word.slips]
     if described(words, said):
         return said

@@ -243,7 +243,7 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
                 wanted.setdefault((ids[id(one)], category), 0)
             key = ids[id(homes[0])], category
             wanted[key] = wanted.get(key, 0) + count
-        else:
+        elif count:  # what no room could have is as good as banned
             said.unread.append(category.replace("_", " ") or f"{count} objects")
     return [
         AskedObjects(room=room, category=category, count=min(count, 100)) for (room, category), count in wanted.items()
