@@ -51,7 +51,8 @@ def loose(item: Item, before: list[Item], after: list[Item], said: Said) -> None
         holder = known[0]  # "the baby's room is small, and we need a cot in it"
     if holder is None and not (after and after[0].kind == "with"):
         holder = known[-1] if known and (item.kind == "objects" or known[-1].objects) else None
-        holder = holder if usual_in(item, holder) else None  # "the bathroom has …, and I need a dining table"
+        fits = usual_in(item, holder) if item.number else holder is None or not never_in(item, holder)
+        holder = holder if fits else None  # "the bathroom has …, and I need a dining table"
     if holder is None:
         said.loose_objects.append((item.value if item.kind == "object" else "", int(item.number)))
         said.uncounted |= {item.value} if item.form == "some" else set()

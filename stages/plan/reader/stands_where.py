@@ -17,8 +17,10 @@ _MORE = (r"(?:(?:potted|house|floor|coffee|dining|kitchen|reading|arm|side|bedsi
          r"bathtubs?|ilot(?: central)?|plantes?|chaises?|isla|plantas?|sillas?|lampara|岛台|中岛|植物|绿植|盆栽|灯|"
          r"钢琴|椅子?|"
          r"柜子|跑步机")  # fmt: skip
-_STANDS = (r"(?:,? (?:(?:that|which|to|is|are|stands?|standing|sits?|sitting|goes|should|must|shall|be|stand|go|placed|"
-           r"put|set|positioned|right|directly|up|steht|stehen|soll|stehend|place|placee|situe|colocad[oa]) ?)+)?")
+_STANDS = (
+    r"(?:,? (?:(?:that|which|to|is|are|stands?|standing|sits?|sitting|goes|should|must|shall|be|stand|go|placed|"
+    r"put|set|positioned|right|directly|up|steht|stehen|soll|stehend|place|placee|situe|colocad[oa]) ?)+)?"
+)
 _AT = (r"(?:in|at|by|near(?: to)?|against|under(?:neath)?|below|beneath|next to|beside|along|facing|in front of|on|"
        r"close "
        r"to|opposite|over)")  # fmt: skip
@@ -43,8 +45,10 @@ _SITIO = (r" ?(?:en (?:la|el|una?)|junto a la|junto al|frente a la|bajo la|debaj
 _ADJ = (r"(?: (?!dans|avec|con|pour|para|bajo|junto|frente|contra|devant|sous|pres|face|al?\b|au\b|et?\b|en\b|"
        r"y\b)[a-z]{3,})?")  # fmt: skip
 _ROOM = r"(?:客厅|厨房|餐厅|书房|阳台|玄关|[主次大小]?卧室?|(?:儿童|客)房)"
-_ECKE = (r"(?:(?:左|右|一|的|某个)*(?:角落?|中间|中央|正中(?:间|央)?|窗户?[边前下旁]|靠窗|靠墙|墙[边角]|窗台下)(?:里|"
-         r"处|的?位置|的?地方)?)")
+_ECKE = (
+    r"(?:(?:左|右|一|的|某个)*(?:角落?|中间|中央|正中(?:间|央)?|窗户?[边前下旁]|靠窗|靠墙|墙[边角]|窗台下)(?:里|"
+    r"处|的?位置|的?地方)?)"
+)
 
 
 @cache
@@ -78,6 +82,7 @@ def stands_where(text: str) -> tuple[str, list[tuple[str, str]]]:
         return text, []
     folded, said = fold(text), list[tuple[str, str]]()
     for pattern in _patterns():
+
         def told(found: re.Match[str]) -> str:
             groups = found.groupdict()
             said.append((found["said"].strip(" ,"), WHY))

@@ -18,15 +18,19 @@ _EAT = (r"(?:an?|one|the|two|some) (?:(?:big|large|small|round|long|wooden|nice)
         r"tables?\b")  # fmt: skip
 _TASK = (r"(?:fetch|pick(?: up)?|bring|take|carry|move|grab|get|deliver|put|place|find|collect|navigate|drop|return|"
          r"lay|retrieve)")  # fmt: skip
-_HOLDS = (r"(?:desk|table|bed|sofa|couch|book ?shelf|shelf|(?:coffee|dining|kitchen|side|bedside) table|nightstand|"
-          r"fridge|"
-          r"counter|worktop|sink|dishwasher|wardrobe|dresser|cabinet|cupboard|chair|armchair|oven|washing machine)")
-_BARE = (r"(?:kitchen|study|office|bed ?room|living room|bath ?room|hall(?:way)?|dining room|pantry|lounge|balcony)")
-_TASK_SAID = late(rf"(?:^|(?<=[.!;] )|(?<=\n))(?:(?:the )?(?:task|goal|mission|instruction|episode|"
-                  rf"query)s?(?: is(?: to)?)? ?:? "
-                  rf"?|(?:the|a|our) (?:robot|agent) (?:should|must|has to|will|can|"
-                  rf"needs to) )(?:to )?{_TASK}\b[^.!;\n]*"
-                  rf"|^(?:fetch|pick up|bring|carry|grab|deliver|retrieve) (?:the|an?|some) [^.!;\n]*")
+_HOLDS = (
+    r"(?:desk|table|bed|sofa|couch|book ?shelf|shelf|(?:coffee|dining|kitchen|side|bedside) table|nightstand|"
+    r"fridge|"
+    r"counter|worktop|sink|dishwasher|wardrobe|dresser|cabinet|cupboard|chair|armchair|oven|washing machine)"
+)
+_BARE = r"(?:kitchen|study|office|bed ?room|living room|bath ?room|hall(?:way)?|dining room|pantry|lounge|balcony)"
+_TASK_SAID = late(
+    rf"(?:^|(?<=[.!;] )|(?<=\n))(?:(?:the )?(?:task|goal|mission|instruction|episode|"
+    rf"query)s?(?: is(?: to)?)? ?:? "
+    rf"?|(?:the|a|our) (?:robot|agent) (?:should|must|has to|will|can|"
+    rf"needs to) )(?:to )?{_TASK}\b[^.!;\n]*"
+    rf"|^(?:fetch|pick up|bring|carry|grab|deliver|retrieve) (?:the|an?|some) [^.!;\n]*"
+)
 _STUDIO = r"\bstudio\b[^.;]*?"
 _WITH_IT = r"(?:un |une )?(?:petit |grand )?(?:lit|canape|armoire|placard|table|chaise|etagere|commode|clic-clac|tv)"
 
@@ -74,5 +78,8 @@ def _told_last(text: str) -> str:
 def _of_the_home(task: str, rest: str) -> str:
     """A task with `the` before its rooms, and without furniture that the rest of the text has told of."""
     task = re.sub(rf"\b(from|in|into|to|of|on) (?={_BARE}\b(?! (?:counter|table|sink|shelf)))", r"\1 the ", task)
-    return re.sub(rf"\b(?:on|onto|to|from|in|into|at)(?: top of)? (?:the |an? )?({_HOLDS}) (?:in|of) (?=the )",
-                  lambda found: "in " if re.search(rf"\b{found[1]}s?\b", rest) else found.group(), task)
+    return re.sub(
+        rf"\b(?:on|onto|to|from|in|into|at)(?: top of)? (?:the |an? )?({_HOLDS}) (?:in|of) (?=the )",
+        lambda found: "in " if re.search(rf"\b{found[1]}s?\b", rest) else found.group(),
+        task,
+    )

@@ -55,6 +55,7 @@ SENTENCES = [
     ("Two bedrooms, two bathrooms, no bathtub.", "B2 H K L W2", "W1 has 0 bath, W2 has 0 bath"),
     ("Two bedrooms with no TVs, living room with a TV.", "B2 H K L W", "L1 has 1 tv, B1 has 0 tv, B2 has 0 tv"),
     ("Two bedrooms, no rug in the living room.", "B2 H K L W", "L1 has 0 rug, !B1 has 0 rug"),
+    ("One bedroom and a study. The study has a desk but no wardrobe.", "B S", "S1 has 1 desk, S1 has 0 wardrobe"),
     # places of rooms
     ("Two bedrooms, a kitchen in the middle.", "B2 H K L W", "position K1 centre"),
     ("Three bedrooms, a hallway in the middle, kitchen with a table in the middle.", "B3 H K L W2",
