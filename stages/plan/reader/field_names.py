@@ -21,7 +21,8 @@ DIRECTION = {"facing": True, "faces": True, "face": True, "orientation": True, "
 OF_BEDROOMS = ("walk in closet", "closet", "dressing room", "balcony", "ensuite bathroom", "en suite bathroom")
 """Rooms that belong to a bedroom."""
 SIZE = ("size", "scale")
-OPEN = ("open plan", "open kitchen", "open concept", "open space", "open")
+OPEN = ("open plan", "open kitchen", "open concept", "open space", "open", "open links", "open connections",
+        "open passages", "openings", "open between", "open edges")  # fmt: skip
 NOTES = ("notes", "note", "remarks", "remark", "features", "feature", "wishes", "requirements", "details", "comment",
          "comments", "extras", "special")  # fmt: skip
 """Fields of a room that say anything of it, piece by piece."""

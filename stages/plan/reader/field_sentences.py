@@ -152,7 +152,14 @@ class Sentences:
             raise Unclear
 
     def opened(self, value: Any) -> None:
-        """An open plan: whether, or of which rooms."""
+        """An open plan: whether, or of which rooms; pairs of them are opened one after another."""
+        ends = [re.split(r"\s*<?->?\s*", one) for one in (re.split(r",\s*", value) if isinstance(value, str) else value
+                if isinstance(value, list) else []) if isinstance(one, str)]  # fmt: skip
+        value = ends if ends and all(len(pair) == 2 for pair in ends) else value
+        if isinstance(value, list) and value and all(isinstance(one, list | dict) for one in value):
+            for one in value:
+                self.opened(list(one.values()) if isinstance(one, dict) else one)
+            return
         names = (
             value
             if isinstance(value, list)

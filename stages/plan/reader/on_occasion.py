@@ -27,6 +27,13 @@ _RULES = (
           r"mismo|每个?人|人人|一样|相同|(?:habitaciones|dormitorios|cuartos) (?:de|para|infantil)"), "each_own"),
     (late(r"shar(?:e|ing)|sleep|together|in one (?:bed ?)?room|(?:with|in with) us|in our|schlaf(?:en|t) |teilen|"
           r"dor(?:t|ment) |partagent|duerme|comparten|一起|合住|共用|[住睡]"), "siblings"),
+    (late(r"dining|eating|breakfast|to eat|for meals|ess(?:platz|ecke|bereich|nische)|sitzecke|repas|coin|diario|"
+          r"desayunador|para comer|comedor|餐区|用餐角"), "eating_places"),
+    (late(r"\bopen|\bdoor|keine tur|porte entre|puerta entre|(?:flat|apartment|house|home) \d|"
+          r"\ball\b|everything|whole|entire|combined|together|total|in sum|kitchen ?[-/+]|[-/+] ?kitchen"),
+     "specified"),
+    (late(r"office [a-z ]+[:-]|ensuite|en[ -]suite|(?:separat|divid|part|off)[a-z]* .*door|door "
+          r"(?:.*(?:separat|divid|part)|between)|(?:end|side)s? of"), "briefly"),
     (late(r"and (?:i|we)\b|\bis for\b|\bbureau|with (?:[a-z]+ )?chairs|\b(?:fetch|pick|bring|take|carry|move|grab|get|"
           r"deliver|put|place|find|collect|navigate|drop|return|retrieve)\b|"
           r"[卧房厅厨阳玄].*?, ?.{0,8}[有放摆配带]"), "things_told"),
