@@ -7,6 +7,7 @@ from apartgen.stages.plan.reader.about import numbers
 from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.patterns import Late, late
+from apartgen.stages.plan.reader.pieces import DE, ES, FR, KIND
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.tokens import fold
@@ -57,6 +58,11 @@ _SOME = late(r"exactly|precisely|only|just|in all|in total|altogether|all togeth
 _OF_THEM = late(r",? ?\b(?P<k>one|two|three|four|five|\d) of (?:them|which|those) (?:are |being |should be )?(?=bed "
                 r"?rooms)")
 _HALL = late(r"\b(?:hall|corridor|entrance)")
+_LIST = late(r"\b(?P<said>(?P<n>[3-9]|three|four|five|six|seven|eight|drei|vier|funf|sechs|sieben|trois|quatre|cinq|"
+             r"tres|cuatro|cinco|seis) (?:rooms|zimmern?|raume?n?|pieces|habitaciones|ambientes|cuartos|estancias))\b"
+             r"[^.:;]*: ?(?P<list>[^.:;\n]*[^.:;\n ])")  # fmt: skip
+_ROOMS = Late(r"^(?:(?:an?|the|eine?|une?|una?|la|el|le|\d x|(?P<n>\d|[a-z]+)) )?(?:{kind}|{de}|{fr}|{es})s?\b",
+              {"kind": KIND, "de": DE, "fr": FR, "es": ES})  # fmt: skip
 _ZH = dict(zip("三四五六七八九十", range(3, 11), strict=True))
 
 
@@ -136,5 +142,19 @@ def make_up(said: Said, home: Household) -> None:
 
 def told(said: Said, home: Household) -> None:
     """Of a number that a home does not have, how many rooms it has."""
-    if said.in_all is not None and (there := len(counted(home))) != said.in_all[0]:
-        said.beyond.append((said.in_all[1], f"with what is asked for there are {there} rooms"))
+    many = said.in_all or _listed(said.prompt)
+    if many is not None and (there := len(counted(home))) != many[0]:
+        said.beyond.append((many[1], f"with what is asked for there are {there} rooms"))
+
+
+def _listed(prompt: str) -> tuple[int, str] | None:
+    """How many rooms `five rooms: a hall, a kitchen, …` lists, hall, kitchen or bath among them: a home has more."""
+    folded = fold(prompt)
+    found = next(_LIST.finditer(folded), None)
+    if found is None or not re.search(r"\b(?:hall|corridor|kitchen|bath|kuche|flur|bad|cuisine|cocina)", found["list"]):
+        return None
+    rooms = [_ROOMS.search(part.strip()) for part in re.split(r" ?, ?(?:and )?| (?:and|und|et|y) ", found["list"])]
+    counts = [room["n"] or "1" for room in rooms if room is not None]
+    there = sum(int(n) if n.isdigit() else _numbers().get(n, 1) for n in counts)
+    many = int(found["n"]) if found["n"].isdigit() else _numbers()[found["n"]]
+    return (many, found["said"]) if there == many and len(counts) == len(rooms) else None

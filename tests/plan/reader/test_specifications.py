@@ -63,3 +63,12 @@ test_in_a_nouns_place = as_meant([
     ("three bedrooms and a long corridor. Bedrooms should be at the opposite end of the corridor from the kitchen.",
      "B3 H K L W2", "apart B1 K1, !opposite B1 H1, !unread end"),
 ])  # fmt: skip
+test_more_than_are_listed = as_meant([
+    ("Escape room style flat with 5 rooms where you have to walk through each room to reach the next: hallway, study, "
+     "living room, kitchen, bedroom.", "B H K L S W", "unread 5 rooms"),
+    ("A home of five rooms: two bedrooms, a kitchen, a living room and a hallway", "B2 H K L W", "unread five rooms"),
+    ("I need 5 rooms: kitchen, living room, bedroom, bathroom, hallway.", "B H K L W", "!unread 5 rooms"),
+    ("Three rooms in a row: bedroom, living room, kitchen, connected by doors.", "B K L", "!unread three rooms"),
+    ("Wohnung mit 5 Räumen: Flur, Arbeitszimmer, Wohnzimmer, Küche, Schlafzimmer", "B H K L S W", "unread 5 raumen"),
+    ("3 rooms: living room, bedroom, study", "B H K L S W", "!unread 3 rooms"),
+])  # fmt: skip
