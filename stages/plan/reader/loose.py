@@ -20,8 +20,12 @@ def with_one_another(items: list[Item]) -> list[Item]:
 
 
 def never_in(item: Item, room: RoomPhrase) -> bool:
-    """Whether a thing is of bathrooms alone, and the room is none: `a kitchen with a table, and please no bathtub`."""
-    return item.kind == "object" and room.type in DRY and TABLE[item.value].rooms == ("bathroom",)
+    """Whether a thing is of bathrooms alone, and the room is none (`a kitchen with a table, and please no bathtub`), or
+    a bed is to be where nobody sleeps."""
+    if item.kind != "object":
+        return False
+    slept_in = TABLE[item.value].is_for("sleep") and room.type in ("bathroom", "kitchen")
+    return slept_in or (room.type in DRY and TABLE[item.value].rooms == ("bathroom",))
 
 
 def bathed(said: Said) -> bool:

@@ -10,6 +10,8 @@ _JOINT = r" ?(?:<-+>|<->|->|-|/|\+|~|&) ?"
 _TO = rf"(?:{_JOINT})"
 _AREA = (r"(?P<area>(?:about |around |approx\.? |ca\.? )?\d{2,3}(?:\.\d+)? ?(?:m2|sqm|sq\.? ?m|qm|square "
          r"met(?:er|re)s?))")  # fmt: skip
+_LOOSE = r"met(?:er|re)s|m"
+"""Units in which learners tell the floor of a home."""
 _HOME = _AREA.replace(r"\d{2,3}", r"(?:3[5-9]|[4-9]\d|[1-3]\d\d)")
 """As much as a home has; less is one of its rooms."""
 _IS = (r"(?: (?:(?:should|must|shall|may|can|will|has to) (?:be|have|measure)|is|be|has|have|makes?|comes to|"
@@ -69,6 +71,8 @@ _SAID = rules((
      r"{combined})?{is_}(?: {combined})? {home}(?: {combined})?{end}", r"\g<begin>the flat has \g<area>"),
     (r"(?P<begin>^|[.;,\n] ?)(?:and )?(?:everything|the (?:whole|entire) (?:thing|place|lot|home|flat|apartment))"
      r"(?: {combined})?{is_}(?: {combined})? {home}(?: {combined})?{end}", r"\g<begin>the flat has \g<area>"),
+    (rf"(?P<begin>[.;\n] ?)all (?:about|around|is|together) (?P<n>(?:3[5-9]|[4-9]\d|1\d\d)) ?(?:{_LOOSE}){{end}}",
+     r"\g<begin>the flat has \g<n> m2"),
     # "a kitchen and a living room; 60 m2 in total", "…. Total area about 60 m2"
     (r"(?P<begin>[.;\n] ?)(?:{home} (?:in (?:all|total)|total|altogether|overall)|(?:(?:the )?total (?:floor )?(?:area|"
      r"size|surface)|in (?:total|all)|altogether|overall)(?: is| of| ?:)? {home2}){end}",

@@ -72,3 +72,13 @@ test_more_than_are_listed = as_meant([
     ("Wohnung mit 5 Räumen: Flur, Arbeitszimmer, Wohnzimmer, Küche, Schlafzimmer", "B H K L S W", "unread 5 raumen"),
     ("3 rooms: living room, bedroom, study", "B H K L S W", "!unread 3 rooms"),
 ])  # fmt: skip
+test_homes_of_one_room = as_meant([
+    ("studio, 30 m2, must include: bed, desk, wardrobe, kitchenette, bathroom with shower", "K L W",
+     "all=30, L1 has 1 double_bed, L1 has 1 desk"),
+    ("Studio apartment, 35 m2, bed, desk, sofa, kitchenette, separate bathroom.", "K L W", "L1 has 1 double_bed"),
+    ("one room with bed, table, stove and bookshelf, plus a bathroom", "K L W", "L1 has 1 double_bed"),
+    ("just one room of 20 m2 with bed, stove, table, and a separate bathroom", "K L W", "all=20"),
+    ("two bedrooms, one room with a bed and one room with two desks", "B2 H K L W", "B1 has 1 double_bed"),
+    ("One bedroom, bathroom with a shower and no bathtub, a bed with a rug", "B W", "!W1 has 1 double_bed"),
+    ("Flat with two bedrooms and a kitchen. All about 55 meters", "B2 H K L W", "all=55"),
+])  # fmt: skip
