@@ -35,7 +35,8 @@ _RULES = (
     (late(r"office [a-z ]+[:-]|ensuite|en[ -]suite|(?:separat|divid|part|off)[a-z]* .*door|door "
           r"(?:.*(?:separat|divid|part)|between)|(?:end|side)s? of"), "briefly"),
     (late(r"studio|(?:one|single) (?:[a-z]+ )?room"), "bed_sitters"),
-    (late(r"and (?:i|we)\b|\bis for\b|\bbureau|with (?:[a-z]+ )?chairs|\b(?:fetch|pick|bring|take|carry|move|grab|get|"
+    (late(r"and (?:i|we)\b|shower (?:instead|rather|and no)|\bis for\b|\bbureau|"
+          r"with (?:[a-z]+ )?chairs|\b(?:fetch|pick|bring|take|carry|move|grab|get|"
           r"deliver|put|place|find|collect|navigate|drop|return|retrieve)\b|"
           r"[卧房厅厨阳玄].*?, ?.{0,8}[有放摆配带]"), "things_told"),
 )  # fmt: skip

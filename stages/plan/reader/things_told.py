@@ -43,6 +43,14 @@ _SAID = rules((
     # "the bathroom has a washing machine, and I need a dining table with two chairs"
     (r",? and (?:i|we)(?: also)?(?: (?:need|want|would like)|'d like) (?={eat}[^.;]*)(?![^.;]*\b(?:there|in it|in the|"
      r"in that)\b)", ". we need "),
+    # "in the kitchen a table with six chairs, and I don't want carpets"
+    (r",? and (?:i|we) (?:do not|don't|dont) (?:want|need|like)(?: any)? (?=(?:carpets?|rugs?|tvs?|televisions?|plants?"
+     r"|curtains?|bath ?tubs?)\b(?![^.;]*\b(?:there|in)\b))", ". no "),
+    # "a guest room, a shower instead of a bath": of the bathroom, where none is told of before
+    (r"(?P<before>[^.;]*), (?:and )?an? (?P<shower>(?:walk-in )?shower) (?:instead of|rather than|and no) an? "
+     r"(?:bath|bath ?tub|tub)\b",
+     lambda found: found[0] if re.search(r"bath ?room|suite|wet room", found["before"])
+     else f"{found['before']}. the bathroom has a {found['shower']} and no bathtub. "),
     # "the second one is for our son, with a desk and a bookshelf"
     (r"\b(the (?:first|second|third|other|small(?:er|est)?|big(?:ger|gest)?|large(?:r|st)?|main) )(?:one|room|"
      r"bed ?room)"

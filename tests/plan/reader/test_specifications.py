@@ -82,3 +82,10 @@ test_homes_of_one_room = as_meant([
     ("One bedroom, bathroom with a shower and no bathtub, a bed with a rug", "B W", "!W1 has 1 double_bed"),
     ("Flat with two bedrooms and a kitchen. All about 55 meters", "B2 H K L W", "all=55"),
 ])  # fmt: skip
+test_what_is_said_behind_the_rooms = as_meant([
+    ("Make me one flat with two bedrooms. In the kitchen should stay a table with six chairs, and I don't want rugs.",
+     "B2 H K L W", "K1 has 6 chair, B1 has 0 rug, B2 has 0 rug, L1 has 0 rug"),
+    ("A bedroom with a single bed, a guest room with a sofa bed, a shower instead of a bath", "B2 H K L W",
+     "W1 has 1 shower, W1 has 0 bath, !B2 has 1 shower"),
+    ("two bedrooms, a bathroom with a sink, a shower instead of a tub", "B2 H K L W", "W1 has 1 shower, W1 has 0 bath"),
+])  # fmt: skip
