@@ -187,7 +187,7 @@ SENTENCES = [
     ("A one-bedroom flat with two desks in the bedroom, a sofa and three bookshelves in the living room.",
      "B H K L W", "", "", "L1 has 1 sofa, L1 has 3 bookshelf, B1 has 2 desk"),
     ("A one-bedroom flat with no television.",
-     "B H K L W", "", "", "L1 has 0 tv"),
+     "B H K L W", "", "", "L1 has 0 tv, B1 has 0 tv"),
     ("A flat: living room (25), bedroom (14), bathroom (3), kitchen.",
      "B H K L W", "", "", "L1=25, B1=14, W1=3"),
     ("One of the two bedrooms has a balcony, the other an ensuite. A living room and a kitchen.",
