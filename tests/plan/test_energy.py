@@ -216,7 +216,7 @@ def test_walls_between_two_bedrooms_count_in_most_draws_and_between_three_in_non
     links = [("living_room_1", "bedroom_1"), ("living_room_1", "bedroom_2")]
     program = Program(rooms=rooms, links=links, envelope={"outline": ring})
     drawn = [whim(program, BARE, 0, np.random.default_rng(seed)).parted for seed in range(200)]
-    assert {*map(tuple, drawn)} == {(), ((0, 2),)} and 0.7 < np.mean([bool(pairs) for pairs in drawn]) < 0.9
+    assert {*map(tuple, drawn)} == {(), ((0, 2),)} and 0.84 < np.mean([bool(pairs) for pairs in drawn]) < 0.96
     asked = [{"id": "asked_1", "kind": "position", "of": "bedroom_1", "value": "west"}]
     told = Program(rooms=rooms, links=links, requirements=asked)
     assert not any(whim(told, BARE, 0, np.random.default_rng(seed)).parted for seed in range(50)), "it has a place"
