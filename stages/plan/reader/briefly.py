@@ -7,7 +7,8 @@ _SAID = rules((
     (r"^(?:an? |my |the |our )?(?:home |small )*office (?:layout|plan|floor ?plan|flat|apartment|home|house|set-?up|"
      r"scene|design)s? ?[:-] ?(?=[^:]*\b(?:study|(?:home )?office)\b)", ""),
     # "3 bathrooms with one of them ensuite to the master bedroom"
-    (r"(?P<rooms>\bbath ?rooms?),? (?:with|and|where) one (?:of (?:them|which|these) )?(?:is |being |as )?(?:an )?"
+    (r"(?P<rooms>\bbath ?rooms?),? (?:(?:with|where) one|and one of (?=them|which|these))(?: ?(?:of )?(?:them|which|"
+     r"these))? (?:is |being |as )?(?:an )?"
      r"en[ -]?suite (?:to|of|for|in|off|with) (?P<of>(?:the |my |our )?(?:master|main|primary|principal|parents'?)"
      r"(?: bed ?room)?)", r"\g<rooms>, one of which is ensuite to \g<of>"),
     # "kitchen separated from living room by a door", "a door separates the kitchen from the living room"

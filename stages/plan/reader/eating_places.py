@@ -2,7 +2,7 @@
 
 from apartgen.stages.plan.reader.pieces import reworded, rules
 
-_KITCHEN = r"(?P<in>\bkitchens?(?: of (?:about )?\d+ ?(?:m2|sqm))?)"
+_KITCHEN = r"(?P<in>(?<!open )(?<!open-plan )\bkitchens?(?: of (?:about )?\d+ ?(?:m2|sqm))?)"
 _SMALL = r"(?:(?:small|little|large|big|cosy|cozy|nice|proper|informal|built-in|sunny) )*"
 _PLACE = (r"(?:(?:dining|eating|breakfast) (?:area|place|space|corner|nook|spot|zone)|"
           r"(?:place|space|spot|corner|area) (?:to|for) (?:eat|dine|eating|dining|meals))")  # fmt: skip
