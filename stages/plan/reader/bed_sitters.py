@@ -6,7 +6,7 @@ from apartgen.stages.plan.reader.pieces import reworded, rules
 _BED = r"(?:mattress or )?bed"
 _ONE = rules((
     # "just one room of 20 m2 with bed, stove and table, plus a bathroom"
-    (r"(?:^|(?<=[ ,.;:]))(?P<n>(?:just |only )?(?:one|a single) (?:big |large |small )?room)(?P<size> of [^,.;]{2,12}?"
+    (r"(?:^|(?<=[ ,.;:]))(?:just |only )?(?:one|a single) (?:big |large |small )?room(?P<size> of [^,.;]{2,12}?"
      r"(?:m2|sqm|feet|ft))?(?= (?:with|that has|has) (?:an? )?(?:bed|mattress|stove)\b(?!.*\brooms?\b))",
      r"studio\g<size>"),
 ))
