@@ -67,7 +67,7 @@ class Envelope(Record):
 
     shape: Literal["auto", "rectangle", "L", "notched"] = "auto"
     outline: Polygon | None = Field(None, description="a given outline, metres")
-    party_walls: list[Side] = Field(default_factory=list, description="sides without windows")
+    party_walls: list[Side] = Field([], description="sides without windows")
     entrance: Side | None = None
     facades: int | None = Field(None, ge=1, le=4, description="sides with windows; drawn where nobody says")
     dwelling: Literal["flat", "corner_flat", "house"] = Field(
@@ -93,19 +93,19 @@ class Program(Record):
     """What the plan solver is asked for, filled by a reader from the prompt."""
 
     rooms: list[AskedRoom] = Field(min_length=1, max_length=40)
-    links: list[Link] = Field(default_factory=list, description="what must connect by a door or opening")
-    open_links: list[Link] = Field(default_factory=list, description="links without a wall between (open plan)")
-    weights: dict[str, float] = Field(default_factory=dict, description="reward weights by name")
-    objects: list[AskedObjects] = Field(default_factory=list)
+    links: list[Link] = Field([], description="what must connect by a door or opening")
+    open_links: list[Link] = Field([], description="links without a wall between (open plan)")
+    weights: dict[str, float] = Field({}, description="reward weights by name")
+    objects: list[AskedObjects] = []
     counts: dict[str, Annotated[int, Field(ge=0)]] = Field(
-        default_factory=dict, description="objects wanted in a room"
+        {}, description="objects wanted in a room"
     )
     total_area: Positive | None = None
     regularity: float = Field(0.7, ge=0, le=1)
     envelope: Envelope = Field(default_factory=Envelope)
     complete: bool = Field(False, description="exactly these rooms and links, nothing may be added")
-    unread: list[str] = Field(default_factory=list, description="words of the prompt not understood")
-    requirements: list[Requirement] = Field(default_factory=list, description="what else was asked")
+    unread: list[str] = Field([], description="words of the prompt not understood")
+    requirements: list[Requirement] = Field([], description="what else was asked")
 
 
 class Room(Typed):
@@ -148,8 +148,8 @@ class Finish(Record):
     door: str = Field("", description="a design")
     window: str = Field("", description="a design")
     metal: str = Field("", description="of what one takes doors by")
-    woods: list[str] = Field(default_factory=list, description="of furniture, one or two")
-    cloth: list[str] = Field(default_factory=list, description="of large seats, of small ones")
+    woods: list[str] = Field([], description="of furniture, one or two")
+    cloth: list[str] = Field([], description="of large seats, of small ones")
     rug: str = ""
     bedding: str = ""
     front: str = Field("", description="of kitchen units, as the next two")
@@ -166,5 +166,5 @@ class Plan(Record):
     openings: list[Opening]
     height: Positive = 2.6
     walls: Walls = Field(default_factory=Walls)
-    relaxed: list[str] = Field(default_factory=list, description="what the solver had to give up, in words")
-    finishes: dict[str, Finish] = Field(default_factory=dict, description="by room")
+    relaxed: list[str] = Field([], description="what the solver had to give up, in words")
+    finishes: dict[str, Finish] = Field({}, description="by room")

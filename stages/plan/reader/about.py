@@ -67,8 +67,12 @@ def _first(row: dict[str, Any], text: str, before: str = "") -> re.Match[str] | 
 
 @cache
 def _pattern(text: str) -> Late:
-    numbers = "|".join(sorted(_data()["numbers"], key=len, reverse=True))
-    return Late(text, {"n": rf"(?P<n>\d+|{numbers})"})
+    return Late(text, _named())
+
+
+@cache
+def _named() -> dict[str, str]:
+    return {"n": rf"(?P<n>\d+|{'|'.join(sorted(numbers(), key=len, reverse=True))})"}
 
 
 def _people(text: str) -> tuple[People | None, str]:

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import numbers
 from apartgen.stages.plan.reader.lexeme import Lexeme
-from apartgen.stages.plan.reader.lexicon import plural
 from apartgen.stages.plan.reader.own_rooms import own_rooms
+from apartgen.stages.plan.reader.phrase import plural
 
 EACH_NEEDS = re.compile(
     r"(?P<who>\b(?P<n>[2-6]|two|three|four|five|six) "

@@ -6,7 +6,8 @@ from functools import cache
 from typing import Any
 
 from apartgen.stages.plan.reader.field_names import COUNT, LIMIT, NAME, UNIT
-from apartgen.stages.plan.reader.lexicon import plural, read_lexicon
+from apartgen.stages.plan.reader.lexicon import read_lexicon
+from apartgen.stages.plan.reader.phrase import plural
 
 _CAMEL = re.compile(r"(?<=[a-z])(?=[A-Z])")
 NUMBER = r"\d+(?:\.\d+)?"

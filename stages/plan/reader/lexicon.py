@@ -9,12 +9,13 @@ from functools import cache, cached_property
 
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.rooms import kinds, told
+from apartgen.stages.plan.reader.phrase import Phrase, first_letters, first_words, most_words, phrase, plain, plural
 from apartgen.stages.plan.reader.tables import expand, languages
-from apartgen.stages.plan.reader.tokens import CJK, fold, tokenize
 from apartgen.stages.things.categories import TABLE, by_word
 
 log = logging.getLogger("apartgen")
-Phrase = tuple[str, ...]
+Row = tuple[int, str, str, str]
+"""A pattern's number, kind, value and text: of two that say the same of a phrase the first counts."""
 
 NOUNS = ("room", "dwelling", "furniture", "main_rooms")
 PRIORITY = (
@@ -30,13 +31,7 @@ UNSPELT = ("stop", "reach", "opening", "unneeded", "enough")
 """Kinds of which no word is what somebody meant who mistyped."""
 
 _RANK = {kind: k for k, kind in enumerate(PRIORITY)}
-_PLAIN = re.compile(r"[a-z -]+")
-_ELIDED = re.compile(r"[a-z][a-z']*(?:[ -]+[a-z][a-z']*)*")
-"""Words with apostrophes."""
-_SIGNS = re.compile(f"[{CJK} ]+")
 _WORD = re.compile(r"[^\W\d_]+(?:'[^\W\d_]+)*")
-_PATTERN = re.compile(r"[a-z -]*(?:(?:(?<= )|(?<!.)){[a-z, -]*}(?= |$)[a-z -]*)*")
-"""Patterns whose braces stand between whole words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,25 +52,39 @@ class Entries:
 
     def __init__(self) -> None:
         self._found: dict[Phrase, dict[str, Entry]] = {}
-        self._waiting: dict[str, list[tuple[str, str, str]]] = defaultdict(list)
+        self._waiting: dict[str, list[Row]] = defaultdict(list)
+        self._asleep: dict[str, list[Row]] = defaultdict(list)
+        self._rows = 0
 
     def add(self, words: Phrase, entry: Entry) -> None:
         """One reading more; the first of a kind counts."""
         self._found.setdefault(words, {}).setdefault(entry.kind, entry)
 
     def wait(self, kind: str, value: str, pattern: str) -> None:
-        """A pattern to be expanded later, with the plurals of nouns."""
-        row, noun = (kind, value, pattern), kind in NOUNS
-        if not _PLAIN.fullmatch(pattern):
+        """A pattern to be expanded later, with the plurals of nouns.
+
+        First words are looked for when one with such a letter is asked for: a process's first sentence waits for
+        this, and has few letters.
+        """
+        self._rows += 1
+        for letter in first_letters(pattern):
+            self._asleep[letter].append((self._rows, kind, value, pattern))
+
+    def _wake(self, letter: str) -> None:
+        for row in self._asleep.pop(letter, ()):
+            _, kind, _, pattern = row
+            noun = kind in NOUNS
+            if plain(pattern):
+                words = pattern.replace("-", " ").split()
+                for first in words[:1]:
+                    self._waiting[first].append(row)
+                    if noun and words[1:2] in ([], ["for"], ["where"]):  # it is the first that has a plural
+                        self._waiting[plural((first,))[0]].append(row)
+                continue
             firsts = first_words(pattern)
             for first in firsts | {plural((word,))[0] for word in firsts} if noun else firsts:
-                self._waiting[first].append(row)
-            return
-        words = pattern.replace("-", " ").split()
-        for first in words[:1]:
-            self._waiting[first].append(row)
-            if noun and words[1:2] in ([], ["for"], ["where"]):  # it is the first that has a plural
-                self._waiting[plural((first,))[0]].append(row)
+                if first[0] == letter:
+                    self._waiting[first].append(row)
 
     def claim(self, words: Phrase, kind: str, value: str) -> None:
         """A noun's words mean this from now on, and so does their plural, whatever else of the kind they meant."""
@@ -95,6 +104,8 @@ class Entries:
 
     def items(self) -> Iterator[tuple[Phrase, tuple[Entry, ...]]]:
         """Every phrase with its readings."""
+        for letter in list(self._asleep):
+            self._wake(letter)
         for first in list(self._waiting):
             self._expand(first)
         for words, readings in self._found.items():
@@ -105,16 +116,19 @@ class Entries:
         for words, readings in self._found.items():
             best = _ranked(readings)[0].kind
             yield from ((word, best) for word in words)
+        for letter in list(self._asleep):
+            self._wake(letter)
         waiting: dict[str, dict[str, None]] = {}
         for rows in self._waiting.values():
-            for kind, _, pattern in rows:
+            for _, kind, _, pattern in rows:
                 waiting.setdefault(kind, {})[pattern] = None
         for kind, patterns in waiting.items():
             yield from ((word, kind) for word in _WORD.findall(" ".join(patterns)))
             yield from ((word, kind) for pattern in patterns if kind in NOUNS for word in _plurals(pattern))
 
     def _expand(self, first: str) -> None:
-        for kind, value, pattern in self._waiting.pop(first, ()):
+        self._wake(first[0])
+        for _, kind, value, pattern in sorted(self._waiting.pop(first, ())):
             noun = kind in NOUNS
             one, several = Entry(kind, value), Entry(kind, value, plural=True)
             for text in expand(pattern):
@@ -142,54 +156,6 @@ class Lexicon:
             for word, kind in self.entries.words()
             if kind not in UNSPELT and len(word) >= 5 and word.isascii() and not word.endswith("rm")
         )
-
-
-def first_words(pattern: str) -> set[str]:
-    """The words that the phrases of a pattern begin with."""
-    if not _PATTERN.fullmatch(pattern):
-        return {words[0] for text in expand(pattern) if (words := phrase(text))}
-    head, brace, rest = pattern.partition("{")
-    if head or not brace:
-        return set(head.replace("-", " ").split()[:1])
-    options, _, after = rest.partition("}")
-    parts = [option.replace("-", " ").split() for option in options.split(",")]
-    return {part[0] for part in parts if part} | (first_words(after.strip()) if [] in parts else set())
-
-
-def most_words(pattern: str) -> int:
-    """No phrase of a pattern has more words."""
-    if "{" not in pattern:
-        return len(pattern.replace("-", " ").split())
-    parts = [part.split(",") for part in pattern.replace("-", " ").replace("{", "}").split("}")]
-    return sum(max(len(option.split()) for option in part) for part in parts)
-
-
-def phrase(text: str) -> Phrase:
-    """The words of a phrase, without hyphens."""
-    if _PLAIN.fullmatch(text):  # as tokens would be, without their cost: a process's first sentence waits for this
-        return tuple(text.replace("-", " ").split())
-    if _ELIDED.fullmatch(text) and "''" not in text and "d'au" not in text:
-        return tuple(word.rstrip("'") for word in text.replace("-", " ").split())
-    if _SIGNS.fullmatch(text) and not {"十", "百"} & set(text):  # a token each; tens become digits
-        return tuple(text.replace(" ", ""))
-    return tuple(t.text for t in tokenize(text if text.isascii() else fold(text)) if t.text != "-")
-
-
-def plural(words: Phrase) -> Phrase:
-    """English plural of the last word, or of that before `for`: `rooms for sleeping`."""
-    behind = next((k for k, word in enumerate(words) if k and word in ("for", "where")), len(words))
-    if behind < len(words):
-        return (*plural(words[:behind]), *words[behind:])
-    *head, last = words
-    if last.endswith("y") and last[-2:-1] not in "aeiou":
-        many = last[:-1] + "ies"
-    elif last.endswith("shelf"):
-        many = last[:-1] + "ves"
-    elif last.endswith(("s", "x", "ch", "sh")):
-        many = last + "es"
-    else:
-        many = last + "s"
-    return (*head, many)
 
 
 @cache
@@ -229,8 +195,8 @@ def _add_group(found: Entries, kind: str, group: dict[str, list[str]], longest: 
     """Add the phrases of a kind; returns the most words that one of these or of those before may have."""
     for value, patterns in group.items():
         for pattern in patterns:
-            stems = [pattern.removesuffix(end) for end in PLURALS if kind == "room" and pattern.endswith(end)]
-            if any(stem in patterns for stem in stems):
+            if kind == "room" and any(
+                    pattern.endswith(end) and pattern.removesuffix(end) in patterns for end in PLURALS):
                 found.add((pattern,), Entry(kind, value, plural=True))  # "habitaciones", "Schlafzimmern"
             found.wait(kind, value, pattern)
             if pattern.count(" ") + pattern.count("-") >= longest:  # else it cannot have more words

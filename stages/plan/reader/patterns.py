@@ -6,43 +6,70 @@ from functools import cache, cached_property
 
 Needs = tuple[frozenset[str], ...]
 """Of each of these sets, one string stands in whatever a pattern finds."""
-_PARTS = re.compile(r"\\.|\[[^\]]*\]|\(\?P<\w+>|\(\?<?[:=!]|[()|?*+]|\{[^}]*\}|[^\\\[\](){}|?*+.^$]+|.")
+_PARTS = re.compile(
+    r"\((?:\?:)?[a-z' |-]+\)|\\.|\[[^\]]*\]|\(\?P<\w+>|\(\?<?[:=!]|[()|?*+]|\{[^}]*\}|[^\\\[\](){}|?*+.^$]+|.")
 _SIGN = re.compile(r"\\[^\w\s]")
 """A sign that stands for itself: `\\(`."""
-_AROUND = ("(?=", "(?!", "(?<=", "(?<!")
+
+
+class _Parts(dict[str, tuple[int, str, bool]]):
+    """Parts of patterns: what each is, its letters or its name, and whether as a quantifier it allows for none."""
+
+    def __missing__(self, part: str) -> tuple[int, str, bool]:
+        first, none = part[:1], part[:1] in ("?", "*") or part.startswith("{0")
+        if not part or first not in "\\()|[?*+{.^$" or _SIGN.fullmatch(part):
+            found = (_LETTERS if part else _OTHER, part.removeprefix("\\"), none)
+        elif part[-1] == ")" != part:
+            found = (_WORDS, part.removeprefix("(").removeprefix("?:")[:-1], none)
+        elif first in "?*+{":
+            found = (_QUANTIFIER, part[1:-1], none)
+        else:
+            found = ({"(": _AROUND if part in ("(?=", "(?!", "(?<=", "(?<!") else _OPEN, ")": _CLOSE, "|": _OR}.get(
+                first, _OTHER), "", none)
+        self[part] = found
+        return found
+
+
+_LETTERS, _WORDS, _OPEN, _AROUND, _CLOSE, _OR, _QUANTIFIER, _OTHER = range(8)
+_KNOWN = _Parts()
 
 
 def needed(pattern: str, named: Mapping[str, str] | None = None) -> Needs:
     """What a pattern needs; `{name}` stands for a pattern of `named`, or else for any text.
 
-    Over a thousand patterns are read before the first sentence is: hence one loop.
+    Nearly two thousand patterns are read before the first sentence is: hence one loop, and parts that are known.
     """
     outer: list[tuple[list[Needs], Needs, bool]] = []
     alternatives: list[Needs] = []
     present: Needs = ()  # of the present alternative; `run` are its last letters
     run, around = "", False
-    parts = _PARTS.findall(pattern)
-    for part, after in zip(parts, [*parts[1:], ""], strict=True):
-        first, optional = part[0], after in ("?", "*") or after.startswith("{0")
-        letters = first not in "\\()|[?*+{.^$" or (first == "\\" and _SIGN.fullmatch(part))
-        if letters:
-            text = part.removeprefix("\\")
+    parts = [_KNOWN[part] for part in _PARTS.findall(pattern)]
+    parts.append(_KNOWN[""])
+    for k, (kind, text, _) in enumerate(parts[:-1], 1):
+        after, _, optional = parts[k]
+        if kind == _LETTERS:
+            if after != _QUANTIFIER:
+                run += text
+                continue
             run += text[:-1] if optional else text
-        if run and (not letters or after[:1] in ("?", "*", "+", "{")):
-            # what comes next need not follow the letters before
+        if run:  # what comes next need not follow the letters before
             present, run = (*present, frozenset((run,))), ""
-        if first == "(":
+        if kind == _WORDS:
+            words = text.split("|")
+            if not optional and all(words):
+                present += (frozenset(words),)
+        elif kind in (_OPEN, _AROUND):
             outer.append((alternatives, present, around))
-            alternatives, present, around = [], (), part in _AROUND
-        elif first == ")":
+            alternatives, present, around = [], (), kind == _AROUND
+        elif kind == _CLOSE:
             inner = () if optional or around else _of_each(alternatives, present)
             alternatives, present, around = outer.pop()
             present += inner
-        elif first == "|":
+        elif kind == _OR:
             alternatives.append(present)
             present = ()
-        elif first == "{" and named and not optional and part[1:-1] in named:
-            present += _of(named[part[1:-1]])
+        elif kind == _QUANTIFIER and named and not optional and text in named:
+            present += _of(named[text])
     return _of_each(alternatives, (*present, frozenset((run,))) if run else present)
 
 
