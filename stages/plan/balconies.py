@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from shapely.geometry import Polygon
 
-from apartgen.schemas.plan import Envelope, Program, Requirement, Walls
+from apartgen.schemas.plan import Envelope, Program, Requirement, Side, Walls
 from apartgen.stages.plan import faces
 from apartgen.stages.plan.blocks import facing
 from apartgen.stages.plan.check import entrance_room, links
@@ -20,7 +20,7 @@ DEEPEST = 2.4
 """Depth up to which a balcony may be deeper than it is wide, m."""
 GLAZED = 2.7
 """Façade that a glazed door and a window beside it take, m."""
-SUNNY = {"south": 1.5, "west": 0.8, "east": 0.4, "north": 0.0}
+SUNNY: dict[Side, float] = {"south": 1.5, "west": 0.8, "east": 0.4, "north": 0.0}
 """Façade that a side is worth, m."""
 
 Floors = dict[str, Polygon]
@@ -71,6 +71,14 @@ def hang(program: Program, floors: Floors, walls: Walls) -> Floors | None:
             return None
         out[name] = found
     return out
+
+
+def overlooked(program: Program) -> list[tuple[Side, ...]]:
+    """Sides at which hung balconies are asked to be, of those in a corner either: there must be a façade."""
+    asked = [r for r in program.requirements if r.kind == "position" and r.value in DIRECTIONS]
+    out = hung(program)
+    wanted = [str(r.value) for r in asked if r.of in out and r.to in (None, out[r.of])]
+    return [tuple(side for side in SUNNY if side in value) for value in wanted]
 
 
 def outside(floors: Mapping[str, Polygon], program: Program, room: str) -> list[Polygon]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.random import Generator
 
 from apartgen.schemas.plan import AskedRoom, Envelope, Program, Walls
-from apartgen.stages.plan.balconies import fronts, indoors
+from apartgen.stages.plan.balconies import fronts, indoors, overlooked
 from apartgen.stages.plan.blocks import Outline
 from apartgen.stages.plan.check import entrance_room, links, neighbours
 from apartgen.stages.plan.outline import wish
@@ -98,7 +98,7 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
     parts = tuple(_parts(program, room, wanted[room.id], rng) for room in program.rooms)
     near = [(int(a), int(b), WHIM) for a, b in pairs]
     beside = _kitchens(program) if rng.random() >= CUT_OFF else []
-    about = surrounded(program, aspect, gross_area(program, walls), failed, rng)
+    about = surrounded(program, aspect, gross_area(program, walls), failed, rng, overlooked(whole))
     beds = [i for i, room in enumerate(program.rooms) if room.base == "bedroom"]
     parted = [(beds[0], beds[1])] if len(beds) == 2 and not placed(program) and rng.random() < PARTED else []
     return Whim(parts, near, shape, aspect, about, fronts(whole), beside, parted)

@@ -4,6 +4,7 @@ A flat in a building has neighbours or the stair behind some of its sides. Where
 drawn with the outline, so that the rooms that need daylight find enough façade.
 """
 
+from collections.abc import Sequence
 from math import sqrt
 
 from numpy.random import Generator
@@ -30,10 +31,12 @@ def settled(envelope: Envelope) -> bool:
     return bool(envelope.party_walls) or envelope.facades == 4 or (envelope.facades is None and not open_)
 
 
-def surrounded(program: Program, aspect: float, gross: float, failed: int, rng: Generator) -> Envelope:
+def surrounded(program: Program, aspect: float, gross: float, failed: int, rng: Generator,
+               overlooked: Sequence[tuple[Side, ...]] = ()) -> Envelope:
     """The envelope with party walls drawn where they are open.
 
-    `aspect` is x over y of the outline and `gross` its area; `failed` counts earlier draws that admitted no plan.
+    `aspect` is x over y of the outline and `gross` its area; `failed` counts earlier draws that admitted no plan. Of
+    each of `overlooked` one side is free.
     """
     envelope = program.envelope
     if settled(envelope):
@@ -46,7 +49,9 @@ def surrounded(program: Program, aspect: float, gross: float, failed: int, rng: 
         free = _sides(envelope, number, rng)
         if sum(long if side in ("south", "north") else gross / long for side in free) >= needed:
             break
-    party = [side for side in SIDES if side not in {*free, *sunny(program)}]
+    lit = {*free, *sunny(program)}
+    lit |= {sides[0] for sides in overlooked if not lit & set(sides)}
+    party = [side for side in SIDES if side not in lit]
     return envelope.model_copy(update={"party_walls": party, "facades": len(SIDES) - len(party)})
 
 

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from shapely.geometry import MultiPoint, Point, Polygon
 
-from apartgen.schemas.plan import Opening, Plan, Program
+from apartgen.schemas.plan import Opening, Plan, Program, Requirement
 from apartgen.stages.plan import PlanConfig, build
+from apartgen.stages.plan.problem import whim
 from apartgen.stages.scene import shell
 
 SEEDS = range(40)
@@ -130,3 +131,21 @@ def test_where_one_comes_in_to_where_one_sleeps_bath_and_kitchen_are_near() -> N
     away = [min(door.distance(floor(plan, room)) for room in ("kitchen_1", "bathroom_1"))
             for door, plan in zip(doors, plans, strict=True)]  # fmt: skip
     assert sum(a < 1.5 for a in away) >= 14 and np.mean(away) < 2.2
+
+
+@pytest.mark.parametrize("place", ["north", "south_west", "east"])
+def test_a_balcony_has_a_facade_at_the_side_that_is_asked_for(place: str) -> None:
+    """A party wall there, drawn before, was the commonest reason why it hung elsewhere."""
+    plain = flat(0).program
+    envelope = {"facades": None, "party_walls": [], "entrance": None}
+    asked = Requirement(id="x", kind="position", of="balcony_1", value=place)
+    program = plain.model_copy(update={
+        "requirements": [asked], "envelope": plain.envelope.model_copy(update=envelope)})
+
+    def walls(of: Program) -> list[set[str]]:
+        drawn = (whim(of, PlanConfig().walls, 0, np.random.default_rng(seed)) for seed in range(40))
+        return [set(one.envelope.party_walls) for one in drawn]
+
+    sides = set(place.split("_"))
+    assert not any(sides <= some for some in walls(program))
+    assert any(sides <= some for some in walls(program.model_copy(update={"requirements": []})))

@@ -1,10 +1,10 @@
 """Where on the drawing words point: `north east corner`, `top left`, `middle of the south side`."""
 
 _POINTS = {
-    "N": "north northern northernmost northerly northward top upper topmost",
-    "S": "south southern southernmost southerly southward bottom lower bottommost",
-    "E": "east eastern easternmost easterly eastward right rightmost righthand",
-    "W": "west western westernmost westerly westward left leftmost lefthand",
+    "N": "north northern northernmost northerly northward top upper topmost upside",
+    "S": "south southern southernmost southerly southward bottom lower bottommost downside",
+    "E": "east eastern easternmost easterly eastward right rightmost righthand rightside",
+    "W": "west western westernmost westerly westward left leftmost lefthand leftside",
     "NE": "northeast northeastern",
     "NW": "northwest northwestern",
     "SE": "southeast southeastern",
@@ -15,7 +15,10 @@ _WORDS = {word: frozenset(points) for points, words in _POINTS.items() for word 
 _NAMES = {"N": "north", "S": "south", "E": "east", "W": "west", "C": "centre"}
 HANDS = ("left", "right")
 """Words that also say other things: `right next to`."""
-SIDES = frozenset("side sides corner hand handed part portion end edge wall most half section area region".split())
+OF_ANOTHER = ("upside", "downside", "leftside", "rightside")
+"""Words that say where a room lies of another one."""
+SIDES = frozenset(
+    "side sides corner hand handed part portion end edge wall most half section area region direction".split())
 """What may stand behind a point of the compass."""
 
 

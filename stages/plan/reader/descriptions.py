@@ -68,14 +68,29 @@ def _bathrooms(topics: list[Topic], rooms: dict[Name, RoomPhrase], said: Said) -
 
 
 def _balconies(topics: list[Topic], rooms: dict[Name, RoomPhrase], said: Said) -> None:
-    """A balcony that is said to be next to bedrooms, and to no room one lives in, opens off the first of these."""
+    """A balcony that is said to be next to bedrooms, and to no room one lives in, opens off the first of these.
+
+    So does one that lies at the other side of the home than the living room, off what it is next to at its own side.
+    """
+    sides = {t.name: set("_".join(t.places[:1]).split("_")) - {""} for t in topics}
+    living = next((name for name in sides if name.type == "living_room"), None)
     for topic in [t for t in topics if t.name.type == "balcony"]:
         around = [(one, other) for t in topics for one, _, other in t.beside if topic.name in (one, other)]
         around += [(t.name, name) for t in topics for _, name in t.links if topic.name in (t.name, name)]
         near = [one if other == topic.name else other for one, other in around]
         bedrooms = [name for name in near if name.type == "bedroom" and name in rooms]
-        if bedrooms and all(name.type in ("bedroom", "bathroom", "balcony") for name in near):
-            said.statements.append(Statement(Relation.DOOR, [rooms[topic.name]], [rooms[bedrooms[0]]]))
+        if living is not None and _opposed(sides[topic.name], sides[living]):
+            bedrooms = [name for name in bedrooms if not _opposed(sides[topic.name], sides.get(name, set()))]
+        elif not all(name.type in ("bedroom", "bathroom", "balcony") for name in near):
+            bedrooms = []
+        if bedrooms:
+            said.statements.append(Statement(Relation.ONLY, [rooms[topic.name]], [rooms[bedrooms[0]]]))
+
+
+def _opposed(one: set[str], other: set[str]) -> bool:
+    """Whether one lies at a side and the other at that across from it."""
+    across = {"north": "south", "south": "north", "east": "west", "west": "east"}
+    return any(across.get(side) in other for side in one)
 
 
 def _phrase(name: Name) -> RoomPhrase:

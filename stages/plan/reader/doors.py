@@ -78,6 +78,8 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
                 out.links += pairs
     for room, theirs in owned:  # "two bathrooms, one of which belongs to the main bedroom"
         out.links = [p for p in out.links if room not in p or {id(p[0]), id(p[1])} <= theirs]
+    apart = {id(e) for e in out.only if e.type == "balcony"}  # next to a room, and yet off another one alone
+    out.near = [pair for pair in out.near if not apart & set(map(id, pair))]
     out.links += out.near
     beside_usual(out)
     stated = {frozenset((id(a), id(b))) for a, b in out.open}

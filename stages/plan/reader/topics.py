@@ -3,7 +3,7 @@
 from collections.abc import Set
 from dataclasses import dataclass, field
 
-from apartgen.stages.plan.reader.compass import HANDS, SIDES, place, points
+from apartgen.stages.plan.reader.compass import HANDS, OF_ANOTHER, SIDES, place, points
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.names import Name, Part
 from apartgen.stages.plan.reader.vocabulary import Relation
@@ -141,6 +141,8 @@ class Reading:
         while j < len(self.parts) and self.parts[j].name is None:
             text = self.parts[j].text
             if points(text):
+                if end > k and (text in OF_ANOTHER or self._text(j - 1) in SIDES and self._of_another(j)):
+                    break
                 hands = hands and text in HANDS
                 end = j + 1
             elif text not in ("and", "-", "most", "far", "of", "the", *SIDES) or end == k:
@@ -161,6 +163,10 @@ class Reading:
         whole = place({point for text in texts for point in points(text)})
         first = next(place(set(points(text))) for text in texts if points(text))
         home = self._of_home(end)
+        to = self._run(end + 1) if self._text(end) == "to" else 0
+        if to:  # "at north west to east direction"
+            whole = _spanned(whole, {point for j in range(end + 1, to) for point in points(self.parts[j].text)})
+            self._done = end if whole else to
         if home and whole and (found := self._behind(home)):
             self.topic = self.topics.setdefault(found[0], Topic(found[0]))
             self.topic.places.append(whole)
@@ -175,6 +181,8 @@ class Reading:
             self._link = None
             self.topic.beside += [(mine, seen, name) for name in of]
             return
+        if self._all_others(start):
+            return
         others = there or self._ahead(start)
         if others:
             self.topic.beside += [(name, seen, mine) for name in others if name != mine]
@@ -182,6 +190,7 @@ class Reading:
                 self.topic.links.pop()
         else:
             self.topic.places.append(whole)
+            self._done = max(self._done, to)
 
     def _it(self, end: int) -> list[Name] | None:
         """`the lounge in the corner; the kitchen north of it`: the room spoken of before."""
@@ -224,6 +233,18 @@ class Reading:
         mine = self.topic is not None and self.topic.name in out
         return [] if mine or not to else out
 
+    def _all_others(self, start: int) -> bool:
+        """`adjacent to all rooms to the east`: no place of the room spoken of."""
+        j = start - 1
+        while self._text(j) in (*ARTICLES, "to", "on", "in", "at"):
+            j -= 1
+        return j < start - 1 and self._text(j) in ("rooms", "others", "everything")
+
+    def _of_another(self, k: int) -> bool:
+        """The `right side of the bedroom` behind `south east corner`."""
+        there = k + 4 if self._text(k + 3) in ARTICLES else k + 3
+        return self._text(k) in HANDS and self._text(k + 2) == "of" and self._is_name(there)
+
     def _is_name(self, k: int) -> bool:
         return k < len(self.parts) and self.parts[k].name is not None
 
@@ -232,3 +253,12 @@ class Reading:
 
     def _kind(self, k: int) -> str:
         return self.parts[k].lexeme.kind if 0 <= k < len(self.parts) else ""
+
+
+def _spanned(one: str, other: set[str]) -> str:
+    """Where a room lies that reaches from a place to another: at the sides that are not opposite."""
+    mine = {point for word in one.split("_") for point in points(word)}
+    for a, b in ("NS", "EW"):
+        if {a, b} <= mine | other:
+            mine -= {a, b}
+    return place(mine) if mine else ""

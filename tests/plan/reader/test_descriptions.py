@@ -72,6 +72,50 @@ def test_what_lies_to_a_side_of_the_room_spoken_of() -> None:
     assert {r.of: r.value for r in program.requirements if r.kind == "dimension"} == {"bathroom_1": "3.35 x 2.44"}
 
 
+REST = ("kitchen at north direction size 8*8 feet bathroom at west direction size 6*6 feet "
+        "master room at south west corner size 12*10 feet ")
+
+
+def places(text: str) -> set[tuple[str, str, str | None]]:
+    return {(r.of, str(r.value), r.to) for r in read(text).requirements if r.kind == "position"}
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("living room at east direction upside of master room", [("east", None), ("north", "bedroom_1")]),
+        ("living room at south east corner downside of kitchen", [("south_east", None), ("south", "kitchen_1")]),
+        ("living room at south east corner right side of master room", [("south_east", None), ("east", "bedroom_1")]),
+        ("living room at north east corner left side of the kitchen", [("north_east", None), ("west", "kitchen_1")]),
+        ("living room at north west to east direction", [("north", None)]),
+        ("living room at east to west direction", []),
+        ("living room at south direction", [("south", None)]),
+        ("The living room is in the north east corner, adjacent to all rooms to the south.", [("north_east", None)]),
+    ],
+)
+def test_where_a_room_lies_and_of_which(said: str, meant: list[tuple[str, str | None]]) -> None:
+    found = places(REST + said + " size 20*12 feet")
+    assert {(value, to) for of, value, to in found if of == "living_room_1"} == set(meant)
+    assert {("kitchen_1", "north", None), ("bathroom_1", "west", None), ("bedroom_1", "south_west", None)} <= found
+
+
+@pytest.mark.parametrize(
+    ("living", "balcony", "owner"),
+    [
+        ("north side", "It is in the south west corner, next to the living room and the master room", "bedroom_1"),
+        ("west side", "It is in the south west corner, next to the living room and the master room", "living_room_1"),
+        ("north side", "It is on the south side, next to the living room", "living_room_1"),
+        ("north side", "It is on the north side, next to the master room and the living room", "living_room_1"),
+    ],
+)
+def test_a_balcony_hangs_before_what_lies_at_its_side(living: str, balcony: str, owner: str) -> None:
+    program = read(
+        f"The living room is on the {living} of the house. The master room is in the south west corner. The kitchen is "
+        f"on the east side. The bathroom is in the center. There is a balcony. {balcony}."
+    )
+    assert [set(pair) for pair in program.links if "balcony_1" in pair] == [{owner, "balcony_1"}]
+
+
 def test_no_room_is_added_to_a_whole_plan() -> None:
     text = (
         "The living room is in the center. The kitchen is in the north east corner, next to the living room. "
