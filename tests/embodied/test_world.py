@@ -1,5 +1,7 @@
 """The world holds the exported apartment, its room doors open, and nothing else but the robot."""
 
+from xml.etree import ElementTree
+
 import mujoco
 import numpy as np
 import pytest
@@ -161,3 +163,13 @@ def test_the_floor_looks_where_the_walkable_stage_looks(tmp_path):
     row, column = planner.cell(ground, stage.grid.centers()[cells] + 1e-6).T
     inside = stage.grid.centers()[cells][:, 0] > 0.4  # the entrance's surround and lever stand out from the wall
     assert ground.free[row, column][inside].all()
+
+
+def test_pairs_and_meshes_of_what_is_not_there_are_taken_away():
+    root = ElementTree.fromstring(
+        '<mujoco><asset><mesh name="used"/><mesh name="spare"/><material name="oak"/></asset><worldbody>'
+        '<geom mesh="used"/></worldbody><contact><exclude body1="a" body2="b"/><exclude body1="a" body2="gone"/>'
+        '<exclude body1="gone" body2="b"/></contact></mujoco>')
+    world._drop_unused(root, {"a", "b"})
+    assert [(one.tag, one.get("name")) for one in root.find("asset")] == [("mesh", "used"), ("material", "oak")]
+    assert [(one.get("body1"), one.get("body2")) for one in root.find("contact")] == [("a", "b")]

@@ -9,7 +9,7 @@ from apartgen.stages.retrieve import furniture
 from apartgen.stages.things import small
 from apartgen.stages.things.asset import Collider, Link
 from apartgen.stages.things.body import inertia
-from apartgen.stages.things.grasps import TIP, WIDEST, holds
+from apartgen.stages.things.grasps import TIP, WIDEST, _heights, holds
 from apartgen.stages.things.solids import corners
 
 STROKE, FORCE, LIFT, STEP = 0.08, 30.0, 0.1, 0.004
@@ -128,3 +128,12 @@ def test_a_bar_is_held_first_above_its_middle_and_else_a_quarter_of_it_aside():
     above = [hold for hold in holds(bar) if hold.approach[2] == -1 and hold.close[1]]
     assert above[0].at[:2] == pytest.approx([0.3, 0.0])
     assert sorted({round(float(hold.at[0]), 6) for hold in above}) == pytest.approx([0.25, 0.3, 0.35])
+
+
+@pytest.mark.parametrize(("bottom", "middle", "heights"), [
+    (0.0, 0.039, [0.09, 0.07, 0.039]), (0.0, 0.05, [0.09, 0.07]), (0.06, 0.08, [0.09, 0.07]), (0.08, 0.09, [0.09]),
+    (0.095, 0.0975, [0.09])])
+def test_a_thing_is_held_a_bite_below_its_top_and_never_below_its_bottom(bottom, middle, heights):
+    """Bites of 1 and 3 cm of what ends at .1 m; the first always, the middle if over 6 cm below the top."""
+    assert _heights(0.1, middle, bottom, 0.0) == pytest.approx(heights)
+    assert min(_heights(0.1, middle, bottom, 0.08)) >= 0.08

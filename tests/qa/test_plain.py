@@ -241,8 +241,8 @@ def test_what_stands_on_a_rug_is_not_asked_what_carries_it(x, yes):
 
 
 @pytest.mark.parametrize(("rectangle", "yes"), [
-    ((10, 10, 80, 80), False), ((0, 10, 80, 80), True), ((10, 0, 80, 80), True), ((20, 10, 80, 80), True),
-    ((10, 20, 80, 80), True)])
+    ((10, 10, 80, 80), False), ((1, 1, 80, 80), False), ((0, 10, 80, 80), True), ((10, 0, 80, 80), True),
+    ((20, 10, 80, 80), True), ((10, 20, 80, 80), True)])
 def test_lengths_are_asked_of_what_no_edge_of_the_picture_cuts(rectangle, yes):
     assert plain.at_edge(facts([{SOFA.id: (900, rectangle)}], [SOFA]), SOFA.id, "eye_0") == yes
 

@@ -382,3 +382,27 @@ def test_a_flat_thing_collides_as_a_box_that_is_a_little_thick(flat):
     found = convex.hull(np.unique(points, axis=0))
     assert found.kind == "box" and np.allclose(found.center, size / 2)
     assert np.allclose(found.size, np.insert(np.array([0.4, 0.6]), flat, convex.THIN))
+
+
+@pytest.mark.parametrize("shape", [(4, 5, 3), (1, 6, 6), (3, 1, 7)])
+def test_filled_cells_are_covered_once_each_and_nothing_else(shape):
+    from apartgen.stages.retrieve.reading import convex
+
+    full = np.random.default_rng(sum(shape)).random(shape) < 0.6
+    times = np.zeros(shape, int)
+    for start, stop in convex._runs(full):
+        times[tuple(slice(a, b) for a, b in zip(start, stop, strict=True))] += 1
+    assert np.array_equal(times > 0, full)
+    starts = [tuple(int(i) for i in start) for start, _ in convex._runs(full)]
+    assert len(set(starts)) == len(starts) < full.sum(), "no cell begins two, and some hold several"
+    assert convex._runs(np.ones(shape, bool))[0][1].tolist() == list(shape)
+
+
+@pytest.mark.parametrize("corner", [-1, 3])
+def test_faces_of_corners_that_are_not_there_are_told(corner):
+    from apartgen.stages.retrieve.reading.pieces import Piece, sound
+
+    points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    assert len(sound(Piece(points, np.array([[0, 1, 2]])), "x").faces) == 1
+    with pytest.raises(Broken, match="vertices that do not exist"):
+        sound(Piece(points, np.array([[0, 1, corner]])), "x")

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from apartgen.stages.scene.pieces import shaded
+from apartgen.stages.scene.pieces import joined, shaded
 from apartgen.stages.things.asset import Material, Mesh
 from apartgen.stages.things.shading import corner_normals, distinct
 
@@ -36,3 +36,14 @@ def test_corners_of_faces_without_an_area_have_normals_too():
     vertices = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [3, 0, 0], [4, 0, 0], [5, 0, 0]], float)
     found = corner_normals(Mesh(vertices, np.array([[0, 1, 2], [0, 2, 3], [4, 5, 6]]), Material("plain")))
     assert np.isfinite(found).all() and (found[:6] == [0, 0, 1]).all()
+
+
+def test_joined_meshes_have_uv_only_where_all_have_it_and_a_texture_is_there():
+    points, faces = np.eye(3), np.array([[0, 1, 2]])
+    uv = np.zeros((3, 2))
+    oak, plain = Material("oak", texture="wood"), Material("oak")
+    both = joined([Mesh(points, faces, oak, uv), Mesh(points + 1, faces, oak, uv + 1)])
+    assert both.faces.tolist() == [[0, 1, 2], [3, 4, 5]] and both.uv is not None and both.uv.shape == (6, 2)
+    assert joined([Mesh(points, faces, oak, uv), Mesh(points, faces, oak)]).uv is None
+    assert joined([Mesh(points, faces, plain, uv), Mesh(points, faces, plain, uv)]).uv is None
+    assert joined([Mesh(points, faces, plain, uv)]).uv is None
