@@ -260,8 +260,9 @@ def test_two_pictures_have_a_thing_in_common(known, found):
 
 
 @pytest.mark.parametrize(("desk", "lamp", "yes"), [
-    ((0, 40), (60, 90), True), ((10, 50), (45, 95), True), ((0, 90), (60, 85), False)])
-def test_left_is_asked_of_what_is_left_at_both_ends(monkeypatch, desk, lamp, yes):
+    ((0, 40), (60, 90), True), ((10, 50), (45, 95), True), ((0, 90), (60, 85), False),
+    ((0, 40), (12, 52), False), ((0, 40), (18, 58), True)])
+def test_left_is_asked_of_what_is_left_at_both_ends_by_a_seventh_of_the_picture(monkeypatch, desk, lamp, yes):
     things = [h.thing("desk", 1, 1, id="desk"), h.thing("floor_lamp", 3, 1, id="lamp")]
     spans = {"desk": desk, "lamp": lamp}
     monkeypatch.setattr(Facts, "alone", lambda self, view: {"the desk": things[0], "the floor lamp": things[1]})
