@@ -103,6 +103,19 @@ def test_every_kind_of_view_is_there(made):
     assert {view.room for view in found.views if view.kind == "panorama"} == set(sample.ROOMS)
 
 
+@pytest.mark.parametrize("size", [(160, 60), (60, 160)])
+def test_the_view_from_above_shows_the_whole_home_and_half_a_metre_of_ground(tmp_path, size):
+    home = sample.home()
+    (view,) = run(tmp_path / "above", kind=["above"], width=size[0], height=size[1]).views
+    x0, y0, x1, y1 = polygons.shell(home).bounds
+    origin, ways = rays(view)
+    floor = (origin + ways * (origin[2] - home.height)).reshape(-1, 3)
+    lo, hi = floor.min(0), floor.max(0)
+    pixel = (hi[0] - lo[0]) / (view.width - 1)
+    around = np.array([x0 - lo[0], hi[0] - x1, y0 - lo[1], hi[1] - y1]) + pixel / 2
+    assert around.min() == pytest.approx(0.5, abs=pixel / 4)
+
+
 def test_depth_leads_back_to_the_mesh(made, triangles):
     out, found = made
     rng = np.random.default_rng(0)

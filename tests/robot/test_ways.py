@@ -1,5 +1,7 @@
 """Shortest ways over cells, against networkx."""
 
+from types import SimpleNamespace
+
 import networkx as nx
 import numpy as np
 import pytest
@@ -35,3 +37,19 @@ def test_where_it_is_dear_to_be_near_walls_ways_keep_off_them() -> None:
         assert all(cells[tuple(cell)] for cell in rows[dear]) and not np.isfinite(steps[~cells]).any()
         assert np.abs(np.diff(rows[dear], axis=0)).max() == 1
     assert set(rows[0.0][:, 0]) == {1} and rows[3.0][:, 0].max() == 3
+
+
+@pytest.mark.parametrize("most", [1, 2, 5])
+def test_places_of_a_room_are_few_and_far_from_one_another(most: int) -> None:
+    """A room of 3 m by 2 in cells of 5 cm: the first near the middle, the second in a corner, none within .35 m."""
+    axis = SimpleNamespace(x=np.arange(60) * 0.05, y=np.arange(40) * 0.05)
+    rooms = np.zeros((40, 60), int)
+    rooms[:, 50:] = 1
+    found = way.spread_places(SimpleNamespace(grid=axis, rooms=rooms), np.ones((40, 60), bool), 0, most)
+    assert len(found) == most and np.abs(found[0] - [1.225, 0.975]).max() < 0.03
+    assert all(np.linalg.norm(a - b) > 0.35 for k, a in enumerate(found) for b in found[:k])
+    assert most == 1 or np.linalg.norm(found[1] - found[0]) > 1.5
+    few = np.zeros((40, 60), bool)
+    few[3:5, 7:9] = True
+    assert len(way.spread_places(SimpleNamespace(grid=axis, rooms=rooms), few, 0, most)) == 1
+    assert not len(way.spread_places(SimpleNamespace(grid=axis, rooms=rooms), few, 1, most))

@@ -140,6 +140,7 @@ def test_one_storey_is_what_every_plan_has() -> None:
         "침실 두 개와 부엌이 있는 아파트",
         "διαμέρισμα με δύο υπνοδωμάτια και κουζίνα",
         "iki yatak odalı bir daire ve büyük bir mutfak",
+        "xqzv wkrtp",
     ],
 )
 def test_a_language_it_does_not_know_is_refused(prompt: str) -> None:
