@@ -137,3 +137,11 @@ def test_a_curtain_hangs_before_a_window_of_its_room(kind, room):
     other = Opening(id="other", kind=kind, rooms=[room], segment=((5.2, 0.04), (5.8, 0.04)), sill=0.2, head=2.0)
     beside = plan.model_copy(update={"openings": [*plan.openings, other]})
     assert cleared(chest, own, plan=beside) == cleared(chest, own)
+
+
+@pytest.mark.parametrize(("x", "left", "right"), [(5.5, -0.5, 0.5), (5.2, -0.8, 0.2), (5.9, -0.1, 0.9)])
+def test_a_window_is_seen_from_its_curtain(x, left, right):
+    """It looks into the room, to +y, and its own left is at smaller x; the window goes from x 5 to 6, its sill at .9."""
+    found = cloth._window(curtain(x=x), h.plan())
+    assert found[1:] == pytest.approx((left, right))
+    assert found.sill == pytest.approx(0.9 - curtain(x=x).center[2])

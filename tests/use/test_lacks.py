@@ -207,3 +207,13 @@ def test_coats_of_many_want_a_cupboard(people: int | None, deep: float, things: 
 def test_of_a_hallway_it_is_counted_whether_it_has_two_cabinets_at_most(many: int) -> None:
     cabinets = [thing("shoe_cabinet", 1.0 + 1.5 * k, 0.2, NORTH) for k in range(many)]
     assert habits.cases(room("hallway", 6.0, 2.0, *cabinets))["two cabinets at most"] == [many == 2]
+
+
+@pytest.mark.parametrize(("widths", "same"), [
+    ((0.45, 0.45, 0.45), [True] * 3), ((0.45, 0.45, 0.55), [True, True, False]), ((0.45, 0.47), [True, True]),
+    ((0.45, 0.49), [False, False]), ((0.45,), None)])
+def test_each_of_several_alike_is_of_one_size_with_another_or_not(widths: tuple[float, ...], same: list[bool] | None,
+                                                                  ) -> None:
+    """Up to 3 cm apart."""
+    chairs = [thing("chair", 0.8 + k, 1.0, NORTH, (0.5, wide, 0.9)) for k, wide in enumerate(widths)]
+    assert habits.cases(room("dining_room", 4.0, 3.0, *chairs)).get("several alike of one size") == same

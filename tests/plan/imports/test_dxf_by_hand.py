@@ -17,8 +17,11 @@ def rectangle(space, x0: float, y0: float, x1: float, y1: float, layer: str) -> 
     space.add_lwpolyline([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], close=True, dxfattribs={"layer": layer})
 
 
-def flat(unit: int = 4) -> bytes:
-    """Two rooms of 4 × 4 m and 3 × 4 m: outer walls of 300, one of 100 between with a door 900 wide at y = 1000."""
+def flat(unit: int = 4, swings: bool = True) -> bytes:
+    """Two rooms of 4 × 4 m and 3 × 4 m: outer walls of 300, one of 100 between with a door 900 wide at y = 1000.
+
+    Without their swings doors are lines from jamb to jamb.
+    """
     doc = ezdxf.new("R2010")
     doc.header["$INSUNITS"] = unit
     space = doc.modelspace()
@@ -28,9 +31,13 @@ def flat(unit: int = 4) -> bytes:
     ):  # fmt: skip
         rectangle(space, x0, y0, x1, y1, "Wände")
     door = {"layer": "Türen"}
-    space.add_line((4050, 1000), (4950, 1000), dxfattribs=door)  # hinged at the bottom, opened into the right room
-    space.add_arc((4050, 1000), 900, 0, 90, dxfattribs=door)
-    space.add_arc((-150, 500), 1000, 0, 90, dxfattribs=door)  # the entrance, hinged at the bottom, opened inwards
+    if swings:
+        space.add_line((4050, 1000), (4950, 1000), dxfattribs=door)  # hinged at the bottom, opened into the right room
+        space.add_arc((4050, 1000), 900, 0, 90, dxfattribs=door)
+        space.add_arc((-150, 500), 1000, 0, 90, dxfattribs=door)  # the entrance, hinged at the bottom, opened inwards
+    else:
+        space.add_line((4050, 1000), (4050, 1900), dxfattribs=door)
+        space.add_line((-150, 500), (-150, 1500), dxfattribs=door)
     for y in (-300, -150, 0):
         space.add_line((5000, y), (6200, y), {"layer": "Fenster"})
     for x in (5000, 6200):
@@ -85,3 +92,11 @@ def test_the_unit_is_guessed_where_the_file_says_none(caplog):
         plan = imports.read("grundriss.dxf", flat(unit=0), PlanConfig())
     assert any("no unit: millimetres taken" in message for message in caplog.messages)
     assert plan is not None and sum(polygons.floor(room).area for room in plan.rooms) == pytest.approx(28, abs=0.05)
+
+
+def test_doors_may_be_lines_from_jamb_to_jamb():
+    plan = imports.read("grundriss.dxf", flat(swings=False), PlanConfig())
+    found = {o.kind: sorted(o.segment) for o in plan.openings if o.kind in ("door", "entrance")}
+    assert set(found) == {"door", "entrance"}
+    assert [y for _, y in found["door"]] == pytest.approx([1.0, 1.9], abs=0.06)
+    assert [y for _, y in found["entrance"]] == pytest.approx([0.5, 1.5], abs=0.06)

@@ -18,6 +18,7 @@ SAID = [
     (f"A {FLAT} whose hallway has three doors or fewer.", ("at_most", "hallway_1", DOORS, 3)),
     (f"A {FLAT} with a hallway of at most four doors.", ("at_most", "hallway_1", DOORS, 4)),
     (f"A {FLAT}, no more than four doors off the corridor.", ("at_most", "hallway_1", DOORS, 4)),
+    (f"At most four doors lead off the hall in a {FLAT}", ("at_most", "hallway_1", DOORS, 4)),
     (f"A {FLAT}. The hallway must not have more than four doors.", ("at_most", "hallway_1", DOORS, 4)),
     (f"A {FLAT}; the living room must have at least three doors.", ("at_least", "living_room_1", DOORS, 3)),
     (f"A {FLAT} with a corridor no longer than 4 m.", ("at_most", "hallway_1", LENGTH, 4)),
