@@ -10,6 +10,7 @@ With `--tests digests` the digests alone are asked; asked with more tests later,
 
 import argparse
 import json
+import os
 import subprocess
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -91,6 +92,7 @@ def main() -> None:
     parser.add_argument("--tests", action="append", help="only files of tests whose names so begin, and those before")
     parser.add_argument("--at", type=Path, default=ROOT / "build" / "mutants")
     parser.add_argument("--budget", type=float, default=120.0, help="seconds of tests that a change may cost")
+    parser.add_argument("--workers", type=int, default=os.cpu_count(), help="processes")
     parser.add_argument("--commit", default="HEAD", help="whose code and tests")
     asked = parser.parse_args()
     git = ["git", "rev-parse", "--short=12", asked.commit]
@@ -102,16 +104,17 @@ def main() -> None:
     seen, kernels = at / f"seen.{asked.many}.{asked.seed}", covered.kernels(ROOT, work, at / "kernels")
     telling = covered.Seen(work, seen).telling
     watched = sorted({file for _, some in draw for one in some for file in telling(one)})
-    covered.measure(work, seen, kernels, watched, asked.tests or [""])
+    covered.measure(work, seen, kernels, watched, asked.tests or [""], asked.workers)
     bench = Bench(work, covered.Seen(work, seen), kernels, at / "results.jsonl", asked.budget)
     lines = bench.results.read_text(encoding="utf-8").splitlines() if bench.results.exists() else []
     known = {one["key"]: one for one in map(json.loads, lines)}
     chosen = [(part, change) for part, some in draw for change in some if not asked.stage or part in asked.stage]
     Random(asked.seed).shuffle(chosen)  # what is tried when the time is up is a fair sample
-    print("\n".join(told(list(fates(bench, chosen, known)))))
+    print("\n".join(told(list(fates(bench, chosen, known, asked.workers)))))
 
 
-def fates(bench: Bench, chosen: Sequence[tuple[str, Change]], known: Mapping[str, Row]) -> Iterator[Row]:
+def fates(bench: Bench, chosen: Sequence[tuple[str, Change]], known: Mapping[str, Row],
+          workers: int) -> Iterator[Row]:
     """What became of changes: what is known, unless it survived fewer tests than there are now, or tried."""
     def again(change: Change) -> bool:
         was = known.get(key(change))
@@ -119,7 +122,7 @@ def fates(bench: Bench, chosen: Sequence[tuple[str, Change]], known: Mapping[str
 
     new = [(part, change) for part, change in chosen if again(change)]
     same = {key(change) for _, change in new if equivalent(change, (bench.work / change.file).read_bytes())}
-    quick = quickly(bench, [change for _, change in new if key(change) not in same])
+    quick = quickly(bench, [change for _, change in new if key(change) not in same], workers)
     for part, change in chosen:
         name = key(change)
         yield judged(bench, part, change, quick.get(name)) if (part, change) in new else known[name]

@@ -54,27 +54,38 @@ def place_of_kernels(work: Path, folder: str) -> str:
     return f"{path.name}_{hashlib.sha1(str(path).encode()).hexdigest()}"
 
 
-def measure(work: Path, to: Path, cache: Path, only: Sequence[str], below: Sequence[str] = ("",)) -> None:
-    """Runs each file of tests that was not run yet, of those whose names so begin.
+def measure(work: Path, to: Path, cache: Path, only: Sequence[str], below: Sequence[str] = ("",),
+            workers: int = 1) -> None:
+    """Runs each file of tests that was not run yet, of those whose names so begin, so many at a time.
 
     It leaves `<name>.cover` and `<name>.json` in `to`.
     """
     to.mkdir(parents=True, exist_ok=True)
-    for test in sorted((work / "tests").rglob("test_*.py")):
-        name = str(test.relative_to(work / "tests"))
-        cost = to / (name.replace("/", ".") + ".json")
-        if name in ELSEWHERE or cost.exists() or not name.startswith(tuple(below)):
-            continue
-        unfinished, said = cost.with_suffix(".unfinished"), cost.with_suffix(".txt")
-        words, cover = [*running.ASKED, f"tests/{name}"], cost.with_suffix(".cover")
-        with patch.dict(os.environ, MUTANTS_COST=str(unfinished)):  # tests of this tool are measured like any others
-            status = running.run(work, cache, words, said, LONGEST, cover, only)
-        if status < 0:
-            unfinished.write_text("{}")
-        elif not unfinished.exists():
-            raise RuntimeError(f"{name}: {said.read_text()[-2000:]}")
-        unfinished.rename(cost)
-        print(f"{name}: {len(json.loads(cost.read_text()))} tests", flush=True)
+    names = (str(test.relative_to(work / "tests")) for test in sorted((work / "tests").rglob("test_*.py")))
+    wanted = [name for name in names if name not in ELSEWHERE and name.startswith(tuple(below))]
+    left = [name for name in wanted if not _cost(to, name).exists()]
+    one = functools.partial(_measured, work, to, cache, only)
+    for name, tests in running.abreast(workers, one, left):
+        print(f"{name}: {tests} tests", flush=True)
+
+
+def _cost(to: Path, name: str) -> Path:
+    return to / (name.replace("/", ".") + ".json")
+
+
+def _measured(work: Path, to: Path, cache: Path, only: Sequence[str], name: str) -> tuple[str, int]:
+    """A file of tests and how many it has."""
+    cost = _cost(to, name)
+    unfinished, said = cost.with_suffix(".unfinished"), cost.with_suffix(".txt")
+    words, cover = [*running.ASKED, f"tests/{name}"], cost.with_suffix(".cover")
+    with patch.dict(os.environ, MUTANTS_COST=str(unfinished)):  # tests of this tool are measured like any others
+        status = running.run(work, cache, words, said, LONGEST, cover, only)
+    if status < 0:
+        unfinished.write_text("{}")
+    elif not unfinished.exists():
+        raise RuntimeError(f"{name}: {said.read_text()[-2000:]}")
+    unfinished.rename(cost)
+    return name, len(json.loads(cost.read_text()))
 
 
 class Seen:

@@ -2,16 +2,21 @@
 
 import contextlib
 import importlib
+import multiprocessing
 import os
 import resource
 import signal
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
+from typing import TypeVar
 
 import coverage
 
+One = TypeVar("One")
+Found = TypeVar("Found")
 SLOW = ("numpy", "scipy.ndimage", "scipy.optimize", "scipy.spatial", "shapely", "numba", "matplotlib.pyplot", "mujoco",
         "networkx", "trimesh", "pydantic", "typer", "rich", "PIL.Image", "safetensors", "torch", "pxr.Usd",
         "hypothesis", "pytest")
@@ -27,6 +32,16 @@ def ready() -> None:
     for name in SLOW:
         with contextlib.suppress(ImportError):
             importlib.import_module(name)
+
+
+def abreast(workers: int, what: Callable[[One], Found], some: Sequence[One]) -> Iterator[Found]:
+    """What becomes of some, in so many processes that have what this has, as it comes."""
+    if workers == 1:
+        yield from map(what, some)
+        return
+    with ProcessPoolExecutor(workers, multiprocessing.get_context("fork")) as pool:
+        for found in as_completed([pool.submit(what, one) for one in some]):
+            yield found.result()
 
 
 def run(work: Path, cache: Path, arguments: Sequence[str], out: Path, seconds: int,

@@ -98,7 +98,7 @@ def bench(tmp_path_factory) -> trying.Bench:
     at = tmp_path_factory.mktemp("at")
     work = covered.clone(root, at / "clone", commit.stdout.strip())
     around = dict(os.environ)
-    covered.measure(work, at / "seen", at / "kernels", ["stages/sizes/__init__.py"])
+    covered.measure(work, at / "seen", at / "kernels", ["stages/sizes/__init__.py"], workers=2)
     assert dict(os.environ) == around, "it may be measured itself"
     return trying.Bench(work, covered.Seen(work, at / "seen"), at / "kernels", at / "results", 60.0)
 
@@ -134,7 +134,7 @@ def test_changes_of_functions_are_tried_in_one_process(bench) -> None:
     """They end as those tried in a process each."""
     file = "stages/sizes/__init__.py"
     by = {change.lines((bench.work / file).read_bytes())[1]: change for change in changes(file, CODE.encode())}
-    found = trying.quickly(bench, list(by.values()))
+    found = trying.quickly(bench, list(by.values()), workers=2)
     killed, survived = by["return a if a <= b else b"], by["return abs(a - b) < 2"]
     assert found[trying.key(killed)] == ("killed", "tests/test_sizes.py::test_larger")
     assert found[trying.key(survived)] == ("survived", "")

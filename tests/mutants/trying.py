@@ -1,5 +1,6 @@
 """A change is tried: the tests that run it, in a process of its own or in one that has collected them already."""
 
+import functools
 import json
 import os
 import shutil
@@ -10,6 +11,7 @@ from dataclasses import dataclass
 from itertools import accumulate
 from pathlib import Path
 from typing import Literal
+from unittest.mock import patch
 
 from mutants import covered, running
 from mutants.changes import Change
@@ -101,12 +103,12 @@ def tried(bench: Bench, change: Change, tests: Sequence[str]) -> tuple[Fate, str
     return ("survived", "") if status == 0 else ("killed", failed[0] if failed else text[-200:])
 
 
-def quickly(bench: Bench, some: Sequence[Change]) -> dict[str, tuple[Fate, str]]:
-    """What becomes of changes of functions in one process that has collected its tests, by their keys.
+def quickly(bench: Bench, some: Sequence[Change], workers: int = 1) -> dict[str, tuple[Fate, str]]:
+    """What becomes of changes of functions in processes that have collected their tests, by their keys.
 
     Others, and what is run when modules are imported, are left to `tried`.
     """
-    tasks, fates = bench.results.with_suffix(".tasks"), bench.results.with_suffix(".fates")
+    fates = bench.results.with_suffix(".fates")
     tests = {key(change): ordered(bench, change) for change in some
              if not change.function or not (change.compiled or bench.seen.imports(change))}
     told = [json.loads(line) for line in fates.read_text(encoding="utf-8").splitlines()] if fates.exists() else []
@@ -116,14 +118,23 @@ def quickly(bench: Bench, some: Sequence[Change]) -> dict[str, tuple[Fate, str]]
     if not left:
         return {name: found for name, found in known.items() if found[0] != "other"}
     lines = [json.dumps(task(bench, change, tests[key(change)])) for change in left]
+    list(running.abreast(workers, functools.partial(_swiftly, bench.work, bench.kernels, bench.results), [
+        (k, lines[k::workers]) for k in range(min(workers, len(lines)))]))
+    return quickly(bench, some, workers)
+
+
+def _swiftly(work: Path, kernels: Path, results: Path, share: tuple[int, Sequence[str]]) -> None:
+    """Tries some tasks, the share of a worker of such a number."""
+    number, lines = share
+    tasks, said = results.with_suffix(f".tasks{number}"), results.with_suffix(f".{number}.txt")
     tasks.write_text("\n".join(lines), encoding="utf-8")
-    files = sorted({test.partition("::")[0] for change in left for test in tests[key(change)]})
-    os.environ |= {"MUTANTS_TASKS": str(tasks), "MUTANTS_FATES": str(fates)}
-    words = [*running.ASKED, "-p", "no:cacheprovider", "-p", "swift", *files]
-    status = running.run(bench.work, bench.kernels, words, bench.results.with_suffix(".txt"), 3600)
+    files = sorted({test.partition("::")[0] for line in lines for test in json.loads(line)["tests"]})
+    around = {"MUTANTS_TASKS": str(tasks), "MUTANTS_FATES": str(results.with_suffix(".fates"))}
+    with patch.dict(os.environ, around):
+        words = [*running.ASKED, "-p", "no:cacheprovider", "-p", "swift", *files]
+        status = running.run(work, kernels, words, said, 3 * 3600)
     if status > 1:
-        raise RuntimeError(bench.results.with_suffix(".txt").read_text(encoding="utf-8", errors="replace")[-2000:])
-    return quickly(bench, some)
+        raise RuntimeError(said.read_text(encoding="utf-8", errors="replace")[-2000:])
 
 
 def key(change: Change) -> str:
