@@ -7,12 +7,10 @@ import ast
 import functools
 import hashlib
 import json
-import os
 import shutil
 import subprocess
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from unittest.mock import patch
 
 import coverage
 from mutants import running
@@ -78,8 +76,7 @@ def _measured(work: Path, to: Path, cache: Path, only: Sequence[str], name: str)
     cost = _cost(to, name)
     unfinished, said = cost.with_suffix(".unfinished"), cost.with_suffix(".txt")
     words, cover = [*running.ASKED, f"tests/{name}"], cost.with_suffix(".cover")
-    with patch.dict(os.environ, MUTANTS_COST=str(unfinished)):  # tests of this tool are measured like any others
-        status = running.run(work, cache, words, said, LONGEST, cover, only)
+    status = running.run(work, cache, words, said, LONGEST, cover, only, {"MUTANTS_COST": str(unfinished)})
     if status < 0:
         unfinished.write_text("{}")
     elif not unfinished.exists():

@@ -2,15 +2,15 @@
 
 import contextlib
 import importlib
-import multiprocessing
 import os
 import resource
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
+from types import MappingProxyType
 from typing import TypeVar
 
 import coverage
@@ -35,25 +35,24 @@ def ready() -> None:
 
 
 def abreast(workers: int, what: Callable[[One], Found], some: Sequence[One]) -> Iterator[Found]:
-    """What becomes of some, in so many processes that have what this has, as it comes."""
-    if workers == 1:
-        yield from map(what, some)
-        return
-    with ProcessPoolExecutor(workers, multiprocessing.get_context("fork")) as pool:
+    """What becomes of some, so many at a time, as it comes; each waits for a child of its own."""
+    with ThreadPoolExecutor(workers) as pool:
         for found in as_completed([pool.submit(what, one) for one in some]):
             yield found.result()
 
 
 def run(work: Path, cache: Path, arguments: Sequence[str], out: Path, seconds: int,
-        cover: Path | None = None, only: Sequence[str] = ()) -> int:
+        cover: Path | None = None, only: Sequence[str] = (), around: Mapping[str, str] = MappingProxyType({})) -> int:
     """Pytest's exit status, negative if it took more than so many seconds of processor time or ten times as long.
 
-    What it says goes to `out`; with `cover`, the lines of the files `only` that tests run go there.
+    What it says goes to `out`; with `cover`, the lines of the files `only` that tests run go there; `around` joins
+    the environment.
     """
     child = os.fork()
     if child == 0:
         try:
             _within(work, cache, out, seconds)
+            os.environ |= around
             status = _pytest(list(arguments), cover, [str(work / file) for file in only])
         except BaseException as error:  # nothing of this may go on in the child
             print(f"{type(error).__name__}: {error}", file=sys.stderr)

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from itertools import accumulate
 from pathlib import Path
 from typing import Literal
-from unittest.mock import patch
 
 from mutants import covered, running
 from mutants.changes import Change
@@ -130,9 +129,8 @@ def _swiftly(work: Path, kernels: Path, results: Path, share: tuple[int, Sequenc
     tasks.write_text("\n".join(lines), encoding="utf-8")
     files = sorted({test.partition("::")[0] for line in lines for test in json.loads(line)["tests"]})
     around = {"MUTANTS_TASKS": str(tasks), "MUTANTS_FATES": str(results.with_suffix(".fates"))}
-    with patch.dict(os.environ, around):
-        words = [*running.ASKED, "-p", "no:cacheprovider", "-p", "swift", *files]
-        status = running.run(work, kernels, words, said, 3 * 3600)
+    words = [*running.ASKED, "-p", "no:cacheprovider", "-p", "swift", *files]
+    status = running.run(work, kernels, words, said, 3 * 3600, around=around)
     if status > 1:
         raise RuntimeError(said.read_text(encoding="utf-8", errors="replace")[-2000:])
 

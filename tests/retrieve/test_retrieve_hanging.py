@@ -141,7 +141,7 @@ def test_a_curtain_hangs_before_a_window_of_its_room(kind, room):
 
 @pytest.mark.parametrize(("x", "left", "right"), [(5.5, -0.5, 0.5), (5.2, -0.8, 0.2), (5.9, -0.1, 0.9)])
 def test_a_window_is_seen_from_its_curtain(x, left, right):
-    """It looks into the room, to +y, and its own left is at smaller x; the window goes from x 5 to 6, its sill at .9."""
+    """It looks into the room, to +y, and its own left is at smaller x; the window is from x 5 to 6, its sill at .9."""
     found = cloth._window(curtain(x=x), h.plan())
     assert found[1:] == pytest.approx((left, right))
     assert found.sill == pytest.approx(0.9 - curtain(x=x).center[2])
