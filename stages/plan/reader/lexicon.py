@@ -127,7 +127,7 @@ class Entries:
             yield from ((word, kind) for pattern in patterns if kind in NOUNS for word in _plurals(pattern))
 
     def _expand(self, first: str) -> None:
-        self._wake(first[0])
+        self._wake(first[:1])
         for _, kind, value, pattern in sorted(self._waiting.pop(first, ())):
             noun = kind in NOUNS
             one, several = Entry(kind, value), Entry(kind, value, plural=True)

@@ -2,6 +2,7 @@
 
 import pytest
 
+from apartgen.stages.plan.reader import read
 from apartgen.stages.plan.reader.lexicon import Entries, Entry, read_lexicon
 from apartgen.stages.plan.reader.phrase import first_letters, first_words, most_words, phrase, plural
 from apartgen.stages.plan.reader.tables import expand
@@ -67,3 +68,9 @@ def test_the_first_of_two_that_say_the_same_counts() -> None:
         entries.wait("room", value, pattern)
     assert [entries.get((word, "room"))[0].value for word in ("beta", "alpha")] == ["first", "first"]
     assert entries.get(("room",)) == (Entry("room", "third"),)
+
+
+def test_a_word_without_letters_is_no_phrase() -> None:
+    assert read_lexicon().entries.get(("",)) is None and ("",) not in read_lexicon().entries
+    spec = read("spec: {beds: 3, baths: 2, ensuite_for: bedroom_1, hall_width_min: 1.2}")
+    assert sum(room.type == "bedroom" for room in spec.rooms) == 3
