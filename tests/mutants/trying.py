@@ -45,7 +45,8 @@ def ordered(bench: Bench, change: Change) -> list[str]:
 
     First those of files named as its own, those of its stage, and quick ones.
     """
-    own, path = f"tests/{change.file.split('/')[1]}", Path(change.file)
+    path = Path(change.file)
+    own = tuple(f"tests/{before}{change.file.split('/')[1]}" for before in ("", "test_"))
     name = (path.parent.name if path.stem == "__init__" else path.stem).strip("_")
 
     def near(test: str) -> tuple[bool, bool, float, str]:

@@ -238,3 +238,17 @@ def test_most_things_are_of_a_hands_size_and_free():
             and library().load_asset(o.asset.library, o.asset.id).links[0].mass <= 5]
     assert len(hand) > 0.8 * len(things(home))
     assert sum(o.id in free for o in hand) >= 0.9 * len(hand)
+
+
+@pytest.mark.parametrize("rack", [False, True])
+def test_a_hall_has_hooks_for_coats_unless_it_has_a_rack(rack):
+    """The bathroom made a hall, empty or with a rack where one thing of it stood."""
+    home = furnished()
+    rooms = [room.model_copy(update={"type": "hallway"}) if room.id == "bathroom_1" else room for room in home.rooms]
+    own = [o for o in home.objects if o.room == "bathroom_1"]
+    others = [o for o in home.objects if o.room != "bathroom_1"]
+    racks = [own[0].model_copy(update={"category": "coat_rack"})] if rack else []
+    hall = home.model_copy(update={"rooms": rooms, "objects": others + racks})
+    lane = seeds.drawn(0, "populate", seeds.plan_digest(hall))
+    found = things(populate.run(hall, populate.PopulateConfig(), lane, library()))
+    assert [o.category for o in found if o.room == "bathroom_1"].count("coat_hooks") == (not rack)

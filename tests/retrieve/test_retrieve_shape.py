@@ -1,9 +1,11 @@
 """The shape latent: what it is blind to, what it tells apart, and the shipped weights and index."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from safetensors import safe_open
 
 from apartgen.stages.retrieve.shape import encoder, fields
 from apartgen.stages.retrieve.shape.designs import drawn, indexed
@@ -63,6 +65,9 @@ def test_training_is_reproducible_and_resumes_to_the_same_weights(maker, tmp_pat
     torch.set_num_threads(1)
     whole, broken = tmp_path / "whole" / "w.safetensors", tmp_path / "broken" / "w.safetensors"
     train.train(config, whole, maker=maker)
+    with safe_open(str(whole), "np") as file:
+        record, std = json.loads(file.metadata()["apartgen"])["record"], file.get_tensor("latent.std")
+    assert record["active_dimensions"] == (std**2 > 0.01).sum() > 0, "those that tell designs apart"
     epoch = train._epoch
 
     def stop(*args):

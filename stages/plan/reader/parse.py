@@ -49,6 +49,8 @@ from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
 """Kinds that say nothing more once the whole prompt has been looked through."""
+GUESTS = ("guests", "visitors")
+"""Whom the second of `two bathrooms (one for guests)` is for."""
 
 
 def parse(prompt: str) -> Said:
@@ -174,6 +176,8 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
     summed(items)
     items = compared_again(items, before)
     items = [i for i in merge_ensuites(intended(of_that_home(items))) if i.kind != "stop"]
+    if any(i.room is not None and i.room.type == "" and Trait.GUEST in i.room.labels for i in items):
+        said.unread = [word for word in said.unread if word not in GUESTS]
     items = having_something(_closed(attach_areas(of_the_last(items, before), said)))
     items = [
         i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))

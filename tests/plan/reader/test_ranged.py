@@ -18,6 +18,7 @@ SENTENCES = [
     ("Bedrooms: between 2 and 4", "B2 H K L W", "!adjacent B1 B2"),
     ("3 (or 4) bedrooms and a kitchen", "B3 H K L W2", "!unread 3"),
     # no range
+    ("0-2 bedrooms, one bathroom and a living room", "B2 H K L W", "unread 0"),
     ("The bathroom lies between bedrooms 1 and 2; three bedrooms.", "B3 H K L W", "B1W1, B2W1, !B3W1"),
     ("A kitchen between 10 and 12 m2 and two bedrooms.", "B2 H K L W", "at_least K1 10, at_most K1 12"),
     # fields said anew

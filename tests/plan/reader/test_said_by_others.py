@@ -126,6 +126,7 @@ SENTENCES = [
      "B3 H K L W2", "B1W1, H1W2"),
     ("A couple with a child and a grandmother. The grandmother's room has its own shower room.", "B3 H K L W2",
      "B3W1, H1W2"),
+    ("Three bedrooms and two bathrooms (one for guests).", "B3 H K L W2", "H1W1, B1W2, !unread guests"),
     ("Two bathrooms: one en suite for the main bedroom and one for guests next to the entrance.", "B H K L W2",
      "B1W1, H1W2, near W2 entrance"),
     ("A bedroom with its own bathroom for the grandparents, two bedrooms for the children. The grandparents' room "
