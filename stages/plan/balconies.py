@@ -23,6 +23,9 @@ GLAZED = 2.7
 SUNNY: dict[Side, float] = {"south": 1.5, "west": 0.8, "east": 0.4, "north": 0.0}
 """Façade that a side is worth, m."""
 
+PLACED = ("position", "orientation")
+"""Requirements that say at which side it hangs."""
+
 Floors = dict[str, Polygon]
 
 
@@ -75,7 +78,7 @@ def hang(program: Program, floors: Floors, walls: Walls) -> Floors | None:
 
 def overlooked(program: Program) -> list[tuple[Side, ...]]:
     """Sides at which hung balconies are asked to be, of those in a corner either: there must be a façade."""
-    asked = [r for r in program.requirements if r.kind == "position" and r.value in DIRECTIONS]
+    asked = [r for r in program.requirements if r.kind in PLACED and r.value in DIRECTIONS]
     out = hung(program)
     wanted = [str(r.value) for r in asked if r.of in out and r.to in (None, out[r.of])]
     return [tuple(side for side in SUNNY if side in value) for value in wanted]
@@ -90,14 +93,14 @@ def outside(floors: Mapping[str, Polygon], program: Program, room: str) -> list[
 def _of_owner(asked: Requirement, owners: Mapping[str, str]) -> Requirement:
     """A place asked of a hung balcony, or beside it, as one of the room that it hangs before."""
     ends = {end: owners.get(room, room) for end, room in (("of", asked.of), ("to", asked.to or ""))}
-    if asked.kind != "position" or asked.value not in DIRECTIONS or ends["of"] == ends["to"]:
+    if asked.kind not in PLACED or asked.value not in DIRECTIONS or ends["of"] == ends["to"]:
         return asked
     return asked.model_copy(update={"of": ends["of"], "to": ends["to"] or None})
 
 
 def _towards(program: Program, name: str, owner: str) -> Floats:
     """Direction (2,) in which a balcony is asked to be in the home, or before its room; 0 where none is."""
-    asked = [r for r in program.requirements if (r.of, r.kind) == (name, "position") and r.to in (None, owner)]
+    asked = [r for r in program.requirements if r.of == name and r.kind in PLACED and r.to in (None, owner)]
     return sum((np.array(DIRECTIONS.get(str(r.value), (0, 0)), float) for r in asked), np.zeros(2))
 
 

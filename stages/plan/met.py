@@ -167,8 +167,9 @@ def _outwards(line: LineString, floor: Polygon) -> Floats:
 
 
 def _shared(room: str, other: str, seen: Seen) -> float:
-    """Metres of wall between two rooms."""
-    grow = seen.plan.walls.inner / 2 + 0.01
+    """Metres of wall between two rooms; a balcony has an outer wall behind it."""
+    outside = any(r.id in (room, other) and r.base == "balcony" for r in seen.plan.rooms)
+    grow = (seen.plan.walls.outer if outside else seen.plan.walls.inner) / 2 + 0.01
     a, b = (seen.floors[r].buffer(grow, join_style="mitre") for r in (room, other))
     return float(a.intersection(b).length) / 2
 

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 import shapely
 
-from apartgen.schemas.plan import AskedRoom, Envelope, Program, Requirement, Walls
+from apartgen.schemas.plan import AskedRoom, Envelope, Plan, Program, Requirement, Walls
+from apartgen.stages.plan import met
 from apartgen.stages.plan.balconies import hang, hung, indoors
 from apartgen.stages.plan.surroundings import surrounded
 
@@ -64,8 +65,8 @@ FLOORS = {"living_room_1": shapely.box(0, 0, 7, 5), "hallway_1": shapely.box(0, 
 WALLS = Walls(inner=0.1, outer=0.3)
 
 
-def asked(value: str, to: str | None = None) -> Program:
-    place = Requirement(id="asked_1", kind="position", of="balcony_1", to=to, value=value, text=value)
+def asked(value: str, to: str | None = None, kind: str = "position") -> Program:
+    place = Requirement(id="asked_1", kind=kind, of="balcony_1", to=to, value=value, text=value)
     return program("bedroom_1").model_copy(update={"requirements": [place]})
 
 
@@ -73,10 +74,10 @@ SIDES = [("east", 0, 1), ("west", 0, -1), ("south", 1, -1), ("left", 0, -1)]
 
 
 @pytest.mark.parametrize(("value", "axis", "sign"), SIDES)
-@pytest.mark.parametrize("to", [None, "living_room_1"])
-def test_a_balcony_hangs_on_the_side_asked_for(value: str, axis: int, sign: int, to: str | None) -> None:
+@pytest.mark.parametrize(("kind", "to"), [("position", None), ("position", "living_room_1"), ("orientation", None)])
+def test_a_balcony_hangs_on_the_side_asked_for(value: str, axis: int, sign: int, kind: str, to: str | None) -> None:
     """Wholly beyond that side of its room, though its longest façade is another; the hallway's part has none."""
-    out = hang(asked(value, to), FLOORS, WALLS)
+    out = hang(asked(value, to, kind), FLOORS, WALLS)
     assert out is not None
     bounds, room = out["balcony_1"].bounds, FLOORS["living_room_1"].bounds
     assert bounds[axis] > room[axis + 2] if sign > 0 else bounds[axis + 2] < room[axis]
@@ -91,6 +92,23 @@ def test_a_balcony_in_a_corner_hangs_at_the_end_of_a_facade(value: str, middle: 
 
 
 def test_the_place_of_a_balcony_is_asked_of_its_room() -> None:
-    assert [(r.of, r.value) for r in indoors(asked("north")).requirements] == [("living_room_1", "north")]
+    for kind in ("position", "orientation"):
+        rows = indoors(asked("north", kind=kind)).requirements
+        assert [(r.of, r.value) for r in rows] == [("living_room_1", "north")]
     own = indoors(asked("north", "living_room_1")).requirements
     assert [(r.of, r.to) for r in own] == [("balcony_1", "living_room_1")], "a side of its own room is its own matter"
+
+
+@pytest.mark.parametrize(("room", "met_by"), [("living_room_1", True), ("bedroom_1", False)])
+def test_a_balcony_is_next_to_the_room_that_it_hangs_before(room: str, met_by: bool) -> None:
+    """A bedroom beside the living room, whose wall faces no part of the balcony."""
+    floors = {**FLOORS, "bedroom_1": shapely.box(7.1, 0, 10, 5)}
+    whole = program()
+    out = hang(whole, floors, WALLS)
+    assert out is not None
+    rooms = [{"id": name, "type": TYPES[name], "polygon": shapely.get_coordinates(shape.exterior)[-2::-1].tolist()}
+             for name, shape in out.items()]
+    plan = Plan.model_validate({"program": whole, "rooms": rooms, "openings": [], "walls": WALLS})
+    for pair in (("balcony_1", room), (room, "balcony_1")):
+        next_to = Requirement(id="1", kind="adjacent", of=pair[0], to=pair[1])
+        assert met.met(next_to, met._seen(plan)) is met_by
