@@ -7,9 +7,10 @@ import sys
 from apartgen.stages import compiling
 
 
-def test_compiling_is_said_once(caplog):
+def test_compiling_is_said_once(caplog, monkeypatch):
+    monkeypatch.setattr(logging.getLogger("apartgen"), "propagate", True)  # a command run before took that away
     said = compiling._Said()
-    with caplog.at_level(logging.INFO):
+    with caplog.at_level(logging.INFO, "apartgen"):
         for _ in range(3):
             said.on_start(None)
     assert len(caplog.records) == 1 and "compiling" in caplog.text
