@@ -72,7 +72,7 @@ check: test lint types
 # Quotes the program's help in the documents anew.
 docs: $(READY)
 	-APARTGEN_WRITE_DOCS=1 $(BIN)/python -m pytest -q tests/test_docs.py tests/populate/test_mechanisms.py -k "not part"
-	$(BIN)/python -m pytest -q tests/test_docs.py
+	$(BIN)/python -m pytest -q tests/test_docs.py tests/populate/test_mechanisms.py -k "not part"
 
 # What .venv is made of, with versions and licences, as CycloneDX.
 sbom: $(READY) $(AUDIT)/.ready
