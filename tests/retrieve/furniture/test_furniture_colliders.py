@@ -58,13 +58,15 @@ def deviations(link):
 
 @pytest.mark.parametrize("category", categories.TABLE)
 def test_what_is_seen_is_felt_and_the_other_way_round(category):
-    for style in furniture.styles(category)[:: 1 if category in ("bath", "toilet", "vanity", "bin") else 3]:
+    like = categories.TABLE[category].lineage[-1]
+    for style in furniture.styles(category)[:: 1 if like in ("bath", "toilet", "vanity", "bin") else 3]:
         asset = furniture.build(category, style, categories.TABLE[category].size, 1)
         found = [deviations(link) for link in asset.links]
         seen, felt = (np.concatenate(part) for part in zip(*found, strict=True))
         # Leaves bend and a curtain's cloth gives way; everything else is rigid stuff that a robot may touch.
-        share = 0.12 if category in ("plant", "planter") else 0.01
-        assert category == "curtain" or np.mean(seen > CLOSE) <= share, (asset.id, seen.max())
+        # What is felt of a row of books is up to 2 mm further out than CLOSE where one is thinner.
+        share = {"plant": 0.12, "planter": 0.12, "bookshelf": 0.03}.get(like, 0.01)
+        assert like == "curtain" or np.mean(seen > CLOSE) <= share, (asset.id, seen.max())
         assert np.mean(felt > CLOSE) <= share, (asset.id, felt.max())
 
 
