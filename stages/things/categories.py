@@ -178,6 +178,8 @@ def _entry(name: str, row: Any, known: dict[str, Category]) -> Category:
         raise BadInput(f"[{name}] {facts.fault(error, _FACTS)}") from None
     if not all(0 < low <= usual <= high for low, usual, high in zip(kind.min, kind.size, kind.max, strict=True)):
         raise BadInput(f"[{name}] size {list(kind.size)} is not within min {list(kind.min)} and max {list(kind.max)}")
+    if blank := [word for word in kind.synonyms if not any(map(str.isalnum, word))]:
+        raise BadInput(f"[{name}] synonyms: {blank[0]!r} is no word; leave it out")
     (d, w, h), rule = kind.max, kind.rule  # the rule of its model may be larger than it comes
     return replace(kind, serves=kind.serves or (known[model].serves or model if model else name),
                    rule=rule and (min(rule[0], d), min(rule[1], w), min(rule[2], h)),

@@ -126,6 +126,8 @@ def test_it_takes_no_word_that_is_spoken_for(newcomers):
     ({"thing": {"like": "desk", "size": [1, "wide", 1]}}, r"\[thing\] size: 'wide' is no number$"),
     ({"thing": {"like": "desk", "stands": {"lean": True, "leen": 1}}}, r"\[thing\] stands.leen: there is no fact"),
     ({"thing": {"like": "desk", "synonyms": "table"}}, r"\[thing\] synonyms: 'table' is no list; write \[ … \]$"),
+    ({"thing": {"like": "desk", "synonyms": ["board", " "]}}, r"\[thing\] synonyms: ' ' is no word; leave it out$"),
+    ({"thing": {"like": "desk", "synonyms": ["--"]}}, r"\[thing\] synonyms: '--' is no word; leave it out$"),
     ({"thing": {"like": "desk", "labels": 3}}, r"\[thing\] labels: '3' is no table; write { name = value }$"),
     ({"thing": {"like": "desk", "rooms": ["stduy"]}}, r"\[thing\] rooms: 'stduy' is no type .*did you mean 'study'"),
     ({"thing": {"like": "desk", "uses": ["wark"]}}, r"\[thing\] uses: 'wark' is no use; did you mean 'work'"),
