@@ -247,10 +247,8 @@ def reach(category: str, size: ArrayLike) -> NDArray[np.float64]:
 @cache
 def groups() -> frozenset[tuple[str, str]]:
     """Ordered pairs (child, parent) that touch by design, such as a chair and its table or what is like one."""
-    return frozenset(
-        (child.name, parent.name) for child in TABLE.values() for parent in TABLE.values()
-        if not set(child.belongs).isdisjoint(parent.lineage)
-    )
+    return frozenset((child.name, parent.name) for child in TABLE.values() for parent in TABLE.values()
+                     if not set(child.belongs).isdisjoint(parent.lineage))
 
 
 def parents(children: Collection[str]) -> frozenset[str]:
