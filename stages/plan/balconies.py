@@ -80,8 +80,8 @@ def overlooked(program: Program) -> list[tuple[Side, ...]]:
     """Sides at which hung balconies are asked to be, of those in a corner either: there must be a façade."""
     asked = [r for r in program.requirements if r.kind in PLACED and r.value in DIRECTIONS]
     out = hung(program)
-    wanted = [str(r.value) for r in asked if r.of in out and r.to in (None, out[r.of])]
-    return [tuple(side for side in SUNNY if side in value) for value in wanted]
+    wanted = [DIRECTIONS[str(r.value)] for r in asked if r.of in out and r.to in (None, out[r.of])]
+    return [tuple(side for side in SUNNY if np.dot(DIRECTIONS[side], way) > 0) for way in wanted]
 
 
 def outside(floors: Mapping[str, Polygon], program: Program, room: str) -> list[Polygon]:
