@@ -1,7 +1,6 @@
 """What packages bring is found by its entry points, and known again by what it consists of."""
 
 import importlib
-import logging
 import sys
 
 import pytest
@@ -73,8 +72,7 @@ def test_a_member_that_is_a_package_counts_with_all_its_files(site) -> None:
     assert [a != b for a, b in zip(before, digests())] == [False, True, False]
 
 
-def test_a_group_that_nobody_looks_into_is_told(site, caplog, monkeypatch) -> None:
-    monkeypatch.setattr(logging.getLogger("apartgen"), "propagate", True)
+def test_a_group_that_nobody_looks_into_is_told(site, caplog) -> None:
     points = site / "mine-1.0.dist-info/entry_points.txt"
     points.write_text(points.read_text().replace("apartgen.export", "apartgen.exports"))
     forget()
