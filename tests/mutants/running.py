@@ -91,6 +91,9 @@ def _within(work: Path, cache: Path, out: Path, seconds: int) -> None:
         del sys.modules[name]
     os.chdir(work)
     os.environ["PYTHONPATH"] = os.pathsep.join(own)
+    # Two changes of one length in one second have the same stamp: the second would run what was compiled of the first.
+    os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
+    sys.dont_write_bytecode = True
     os.environ["NUMBA_CACHE_DIR"] = numba.config.CACHE_DIR = str(cache)
 
 

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import sys
 from types import ModuleType
 
 import pytest
@@ -103,7 +104,9 @@ def bench(tmp_path_factory) -> trying.Bench:
     return trying.Bench(work, covered.Seen(work, at / "seen"), at / "kernels", at / "results", 60.0)
 
 
-def test_fates_of_changes(bench) -> None:
+def test_fates_of_changes(bench, monkeypatch) -> None:
+    monkeypatch.setattr(sys, "dont_write_bytecode", False)  # what was compiled of one change is not run as another
+    monkeypatch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
     file = "stages/sizes/__init__.py"
     source = (bench.work / file).read_bytes()
     by = {change.lines(source)[1]: change for change in changes(file, source)}
