@@ -40,6 +40,7 @@ def test_counts_leave_out_empty_slots() -> None:
     assert found[3, 5] == 3 and found[3, 2] == 1 and found[0, 2] == 1 and found.sum() == 5
 
 
+@pytest.mark.wide
 def test_a_network_that_loves_plants_is_brought_back(corpus: Corpus) -> None:
     network = Denoiser(weights.load()[0].config)
     network.load_state_dict(weights.load()[0].state_dict())

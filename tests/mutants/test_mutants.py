@@ -3,7 +3,6 @@
 import os
 import subprocess
 import sys
-import sys
 from types import ModuleType
 
 import pytest

@@ -74,6 +74,7 @@ def test_an_area_is_met_within_a_twentieth(value: str, met: bool) -> None:
     "a flat with a balcony of 6 m², a living room of 30 m² and one bedroom of 13 m²",
     "a flat of 75 m² with two bedrooms; the living room has 24 m²",
 ])  # fmt: skip
+@pytest.mark.wide
 def test_rooms_are_as_large_as_was_said(prompt: str) -> None:
     program, off = read(prompt), []
     said = {r.of: float(r.value or 0) for r in program.requirements if r.kind == "area"}

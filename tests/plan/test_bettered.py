@@ -123,6 +123,7 @@ def test_half_of_the_starts_along_a_corridor_have_rooms_across_its_end(monkeypat
     assert 0.4 < np.mean(across) < 0.6
 
 
+@pytest.mark.wide
 def test_few_studios_and_lofts_have_a_jog() -> None:
     """A wall shorter than .7 m in some room: .12 of them where nothing is made better."""
     jogs = []

@@ -54,6 +54,7 @@ def forty() -> list[Plan]:
             for seed in range(161400, 161440)]
 
 
+@pytest.mark.wide
 def test_few_bedrooms_are_come_by_before_the_living_room() -> None:
     """By more than a metre of the way, halls of flats with two and three bedrooms: .28 of 160 flats before."""
     sooner = []

@@ -53,6 +53,7 @@ def test_a_room_well_below_its_least_is_a_fault(deep: float, small: bool) -> Non
     assert any("less than the least of 7" in fault for fault in validate(plan)) is small
 
 
+@pytest.mark.wide
 def test_hardly_a_bedroom_is_larger_than_the_one_that_is_to_be_the_largest() -> None:
     """By more than walls take of one that is longer: of 80 flats 13 before it counted."""
     larger = []

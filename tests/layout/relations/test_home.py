@@ -211,6 +211,7 @@ def test_weights_say_what_they_were_made_of() -> None:
     assert weights.SHIPPED.stat().st_size < 8e6
 
 
+@pytest.mark.wide
 def test_a_home_washes_its_clothes_and_two_have_length_for_theirs() -> None:
     """Nobody asked: machines stand where there is a place for them, and one wardrobe for two is seldom a narrow one."""
     machines, robes = [], []
@@ -224,6 +225,7 @@ def test_a_home_washes_its_clothes_and_two_have_length_for_theirs() -> None:
     assert np.mean(machines) >= 0.8 and robes and np.mean(np.array(robes) >= 1.15) >= 0.6
 
 
+@pytest.mark.wide
 def test_where_a_home_has_no_hall_coats_hang_where_one_enters() -> None:
     """Nobody asked."""
     near = []

@@ -32,6 +32,7 @@ def furnished(asked: dict[str, int], seeds_: range) -> list[list[Box]]:
     return out
 
 
+@pytest.mark.wide
 def test_two_sofas_are_one_group_about_a_low_table() -> None:
     rooms = furnished({"sofa": 2}, range(160960, 160972))
     apart = []
@@ -51,6 +52,7 @@ def test_two_sofas_are_one_group_about_a_low_table() -> None:
     assert len(apart) <= 1, apart
 
 
+@pytest.mark.wide
 def test_what_the_weights_never_saw_takes_nothing_from_a_room() -> None:
     """Drawn in its turn, not before all else, of which a model that learned an order would say that it had its turn."""
     rooms = furnished({"sofa": 1, "loveseat": 1}, range(160960, 160966))

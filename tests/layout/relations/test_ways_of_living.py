@@ -180,6 +180,7 @@ def test_a_room_with_a_sofa_of_its_own_gets_none_round_a_corner() -> None:
         assert [("corner_sofa" in some) for some in names] == [there] * 4
 
 
+@pytest.mark.wide
 def test_nobody_sleeps_in_a_living_room_beside_bedrooms_unless_a_bed_is_asked_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

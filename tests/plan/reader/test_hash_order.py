@@ -5,6 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 TESTS = Path(__file__).parents[2]
 CODE = """
 from digests import composed
@@ -15,6 +17,7 @@ for k, text in enumerate([*composed.clauses("en", 160), *(case.prompt for case i
 """
 
 
+@pytest.mark.wide
 def test_sentences_are_read_alike_whatever_the_order_of_hashes() -> None:
     """With the second, the sum of areas that are compared went another way, and one was rounded down."""
     said = [subprocess.run([sys.executable, "-c", CODE], env=os.environ | {"PYTHONHASHSEED": seed}, cwd=TESTS,

@@ -1,6 +1,7 @@
 """Places as people may put them, drawn at random from what stands for each: all are asked for, nothing is unread."""
 
 import numpy as np
+import pytest
 
 from apartgen.stages.plan.reader import read
 
@@ -29,6 +30,7 @@ def _place(rng: np.random.Generator) -> tuple[str, str]:
     return f"{at} {side} {rng.choice(['side', 'part', 'end', 'half'])}", SIDES[side]
 
 
+@pytest.mark.wide
 def test_a_place_is_asked_for_in_whatever_words_it_is_said() -> None:
     rng = np.random.default_rng(160400)
     wrong = []
