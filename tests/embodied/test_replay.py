@@ -180,3 +180,10 @@ def test_where_nothing_can_be_drawn_it_is_said(monkeypatch):
     monkeypatch.setattr(mujoco, "Renderer", broken)
     with pytest.raises(RuntimeError, match="no context"):
         replay.ready()
+
+
+def test_colours_are_of_light_that_can_be_shown():
+    """A part of more than all light is drawn as all of it, and by another renderer as none."""
+    found = (marks.MEANT, marks.MET, marks.GOAL, marks.TRAIL, marks.REACHED, marks.CUT_OFF)
+    assert all(0.0 <= part <= 1.0 for colour in found for part in colour)
+    assert len({colour[:3] for colour in found}) == len(found), "they are told apart"

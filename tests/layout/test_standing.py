@@ -14,7 +14,7 @@ CHEST = Item("chest", np.array([0.0, 0.0, 0.4]), np.array([0.5, 1.0, 0.8]), np.p
 
 
 @pytest.mark.parametrize("x, y, bottom, stands", [
-    (0.3, 0.1, 0.8, True), (0.49, 0.0, 0.8, True),
+    (0.3, 0.1, 0.8, True), (0.49, 0.0, 0.8, True), (0.505, 0.0, 0.8, True), (0.515, 0.0, 0.8, False),  # 1 cm beyond
     (0.3, 0.1, 1.0, False),  # above it, in the air
     (0.3, 0.1, 0.0, False),  # in it, on the floor
     (2.0, 0.1, 0.8, False),  # as high as its top, elsewhere

@@ -3,6 +3,7 @@
 import pytest
 
 from apartgen.stages.metrics import _physics
+from apartgen_cli.bench import physics as bench_physics
 
 pytest.importorskip("mujoco")
 
@@ -62,3 +63,10 @@ def test_joints_far_apart_are_driven_together_and_near_ones_alone(tmp_path):
     assert [len(batch) for batch in _physics._batches(model, [0, 1, 2])] == [2, 1]
     found = {travel.joint: travel.share for travel in _physics.travels(model)}
     assert found["a"] == found["b"] == 1 and found["far"] == pytest.approx(0.25, abs=0.03)
+
+
+def test_what_is_told_of_the_bench_is_what_it_counts():
+    told = bench_physics.NOTE
+    for words in (f"less than {100 * _physics.DRIFT:g} cm in {_physics.SETTLE:g} s", f"{_physics.FORCE:g} N",
+                  f"nothing within {_physics.APART:g} m", f"at least {100 * _physics.REACHED:g} %"):
+        assert words in told, words

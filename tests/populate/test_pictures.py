@@ -165,3 +165,13 @@ def test_so_many_pictures_hang_where_walls_have_room(base, counts):
         walls = [faces.Face(np.zeros(2), np.array([1.0, 0.0]), np.array([0.0, 1.0]), 4.0, []) for _ in range(4)]
         found.add(len(pictures.hung(room, walls, [], every, 1.0, np.random.default_rng(seed))))
     assert found == counts
+
+
+def test_what_ends_below_where_eyes_look_leaves_the_wall_free():
+    """A cabinet a metre long in the middle of three: the eyes see from 1.3 to 1.7 m."""
+    def middles(top):
+        face = SimpleNamespace(covered=[(1.0, 2.0, 0.0, top)], swept=[], length=3.0)
+        return [(s, low) for _, s, low in pictures.free([face], 0.9)]
+
+    assert middles(1.29) == [(1.5, 1.29)]
+    assert sorted(middles(1.31)) == [(0.5, 0.0), (2.5, 0.0)]

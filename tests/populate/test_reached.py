@@ -1,9 +1,12 @@
 """Which holds are clear: boxes against solids by linear programming, and holds in a home against what stands there."""
 
+from types import SimpleNamespace
+
 import numpy as np
 from inhabited import library, lived_in, things
 from scipy.optimize import linprog
 
+from apartgen.stages.populate import reached
 from apartgen.stages.populate.arrange import FINGERS
 from apartgen.stages.populate.touching import hits
 from apartgen.stages.things.grasps import THICK, TIP
@@ -110,3 +113,14 @@ def _gap(a, b):
     """Between the boxes of two things that are turned alike, the way they are further apart."""
     apart = np.abs(_turn(a).T @ np.subtract(a.center, b.center))[:2]
     return float((apart - (np.array(a.size[:2]) + b.size[:2]) / 2).max())
+
+
+def test_only_the_leaf_that_is_opened_is_out_of_the_way():
+    """Of two cupboards whose doors have one name, and whose insides stay."""
+    solids = np.arange(36.0).reshape(4, 9)
+    room = SimpleNamespace(solids=solids, owner=np.array(["a", "a", "b", "b"]),
+                           joint=np.array(["door", "", "door", ""]), within=np.array([""] * 4))
+    place = SimpleNamespace(owner="a", joint=SimpleNamespace(name="door", type="hinge"))
+    left = reached._seen(room, place)
+    assert left.solids.tolist() == solids[1:].tolist() and left.owner.tolist() == ["a", "b", "b"]
+    assert reached._seen(room, SimpleNamespace(owner="", joint=None)).solids.tolist() == solids.tolist()

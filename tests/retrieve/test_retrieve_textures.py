@@ -321,3 +321,11 @@ def test_vertices_and_faces_have_limits_of_their_own(monkeypatch):
     for more in (b"v 0 0 2\n", b"f 1 2 5\n"):
         with pytest.raises(Broken, match="more than the 2 and 5 accepted"):
             obj.parse(data + more, "x.obj", lambda _: None)
+
+
+@pytest.mark.parametrize(("shade", "light"), [
+    (0, 0.0), (5, 0.001518), (10, 0.003035), (11, 0.003347), (15, 0.004777), (128, 0.215861), (255, 1.0)])
+def test_shades_are_of_the_light_that_the_standard_gives_them(shade, light):
+    """IEC 61966-2-1, on both sides of where its straight part ends."""
+    assert float(linear(shade / 255)) == pytest.approx(light, abs=1e-6)
+    assert float(encoded(light)) == pytest.approx(shade / 255, abs=1e-4)

@@ -83,3 +83,9 @@ def test_prints_are_pictures_and_all_different() -> None:
         sky, ground = images[name][:40], images[name][-40:]
         assert sky.mean() > ground.mean() + 10, f"{name} stands on its head"
         assert sky.mean(1).std(0).mean() < ground.std()
+
+
+def test_metals_and_mirrors_alone_shine_as_metal() -> None:
+    """No stone weighs three tonnes a cubic metre, and aluminium does not either."""
+    metal = {name for name, material in PALETTE.items() if material.metalness}
+    assert {name for name in PALETTE if materials.density(name) > 3000} | {"aluminium", "mirror"} == metal

@@ -45,6 +45,7 @@ def test_one_may_be_like_a_later_one(brought):
     ({"like": "gym"}, r"\[gym\] like: 'gym' is no type of room"),
     ({"like": "study", "word": ["gym"]}, r"\[gym\] word: there is no fact of that name; did you mean 'words'"),
     ({"like": "study", "area": "big"}, r"\[gym\] area: 'big' is no number"),
+    ({"like": "study", "area": "big" * 20}, rf"\[gym\] area: '{('big' * 20)[:40]}' is no number"),
     ({"like": "study", "objects": {"bench": -1}}, r"\[gym\] objects.bench: '-1' is less than 0"),
 ])
 def test_a_faulty_entry_is_left_out_and_told(brought, row, fault):

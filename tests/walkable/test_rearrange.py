@@ -74,9 +74,11 @@ def test_the_mirror_comes_along_with_its_basin():
 def test_only_small_rooms_of_two_to_five_needed_pieces_are_planned_anew(many, area, found, monkeypatch):
     monkeypatch.setattr(rearrange, "Question", lambda *_: None)
     monkeypatch.setattr(rearrange, "rooms", lambda *_: {h.BEDROOM})
-    monkeypatch.setattr(rearrange.importance, "Ranks", lambda *_: SimpleNamespace(of=lambda o: 2))
     monkeypatch.setattr(rearrange, "_arrangements", lambda question, gone, some, cases: iter([some]))
     things = [h.thing("toilet", 4.5 + k, 1.0, 0, h.BEDROOM, id=f"t{k}") for k in range(many)]
+    # neither what is not needed counts, though it can be moved, nor what hangs, though it is needed
+    monkeypatch.setattr(rearrange.importance, "Ranks", lambda *_: SimpleNamespace(of=lambda o: 1 + (o.id != "bin")))
+    things += [h.thing("bin", 4.5, 2.0, 0, h.BEDROOM, id="bin"), h.thing("mirror", 4.5, 0.1, 0, h.BEDROOM, id="m")]
     site = SimpleNamespace(floors={h.BEDROOM: box(0, 0, area, 1)}, config=WalkableConfig(drop=False))
     plans = list(rearrange.rearranged(site, SimpleNamespace(scene=things), SimpleNamespace(target=None)))
     assert bool(plans) == found and all(len(some) == min(3, many) for some in plans)

@@ -19,6 +19,11 @@ EACH = [
     ("2 bed flat for me and a friend, we both want our own bathroom.", "B2 H K L W2", "B1W1, B2W2"),
     ("Zwei Schlafzimmer, wir wollen beide ein eigenes Bad.", "B2 H K L W2", "B1W1, B2W2"),
     ("Dos dormitorios; cada uno quiere su propio baño.", "B2 H K L W2", "B1W1, B2W2"),
+    ("Each bathroom is 6 m2, two bathrooms, three bedrooms", "B3 H K L W2", "W1=6, W2=6"),
+    ("Three bedrooms, three bathrooms, the first bedroom has a door to the first bathroom and so has the hallway.",
+     "B3 H K L W3", "B1W1, B2W2, !B1W2"),
+    ("Three bedrooms, two bathrooms, one with a tub for the family and one with a shower for guests. The guest "
+     "bathroom has a washing machine.", "B3 H K L W2", "W1 has 1 bath, W2 has 1 shower, W2 has 1 washing_machine"),
 ]  # fmt: skip
 SHARED = [
     ("My wife, our two boys (sharing a room) and I need a flat.", "B2 H K L W", ""),
