@@ -5,6 +5,7 @@ import pytest
 import shapely
 from rooms_for_tests import some_rooms
 
+from apartgen.stages.layout.projection import candidates
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.projection.standing import Item, rests_on
 from apartgen.stages.space.boxes import Boxes
@@ -86,3 +87,15 @@ def test_what_lies_a_little_beyond_walls_is_cut_there_and_stays_as_it_is_elsewhe
     assert moved[3:].tolist() == askew[3:].tolist() and moved[1] == askew[1]
     far = np.array([-0.3, 2.5, 0.0, 0.5, 0.5, 0, 0.8])
     assert space.cut(far).tolist() == far.tolist(), "what is wrong stays so"
+
+
+@pytest.mark.parametrize("away", [0.5, 1.5, 2.5])
+def test_what_seats_look_at_stands_at_the_wall_before_them_however_near(away: float) -> None:
+    """Of a room of 4 by 3 m, from a seat 1.2 m along the wall with its lower left corner at zero."""
+    rooms = some_rooms(1)
+    rooms.polygon[0] = np.nan
+    rooms.polygon[0, :4] = [[0, 0], [4, 0], [4, 3], [0, 3]]
+    seats = Boxes(np.array([[1.2, away, 0.4]]), np.array([[0.8, 1.6, 0.8]]), np.array([-np.pi / 2]))
+    found = candidates.across(np.zeros(3), np.array([0.4, 1.0, 0.5]), space_of(rooms, 0), seats)
+    assert found.center[:, :2] == pytest.approx(np.array([[1.2, 0.2 + candidates.GAP]]))
+    assert found.yaw == pytest.approx([np.pi / 2])
