@@ -6,7 +6,7 @@ import networkx as nx
 import numpy as np
 import pytest
 
-from apartgen.stages.robot import way
+from apartgen.stages.robot import reach, way
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -53,3 +53,23 @@ def test_places_of_a_room_are_few_and_far_from_one_another(most: int) -> None:
     few[3:5, 7:9] = True
     assert len(way.spread_places(SimpleNamespace(grid=axis, rooms=rooms), few, 0, most)) == 1
     assert not len(way.spread_places(SimpleNamespace(grid=axis, rooms=rooms), few, 1, most))
+
+
+def cells(rows, columns, shape=(90, 90)):
+    """True in such rows and columns."""
+    found = np.zeros(shape, bool)
+    found[rows, columns] = True
+    return found
+
+
+def test_a_look_at_the_surroundings_decides_only_where_one_way_leaves_them():
+    """A floor of 90 by 90 cells; what is shut lies in its middle, and one comes in at a corner."""
+    entry, place = cells(0, 0), cells(slice(44, 47), slice(44, 47))
+    shut = cells(slice(44, 47), slice(44, 46))
+    floor, island = cells(slice(0, 90), slice(0, 90)), cells(slice(40, 50), slice(40, 50))
+    assert reach._locally(floor, entry, shut, place) is True
+    assert reach._locally(floor, entry, place, place) is False
+    assert reach._locally(island, entry, shut, place) is None, "nothing leads out: whether one gets there is unknown"
+    parted = floor & ~cells(slice(0, 90), 48)
+    assert reach._locally(parted, entry, shut, place) is None, "two ways lead out"
+    assert reach._locally(floor, cells(45, 50), shut, place) is None, "one comes in among them"
