@@ -1,6 +1,7 @@
 """Previews: pictures of assets closed and open, of the embedded library and of indexed ones."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -131,3 +132,12 @@ def test_a_picture_does_not_hang_on_the_order_of_triangles():
         link = replace(whole.links[0], visuals=[replace(mesh, faces=np.roll(FACES, k, 0))])
         pictures.append(render.pictures([render.opened(replace(whole, links=[link]), 0.0)], 48)[0].astype(int))
     assert all(np.abs(one - pictures[0]).max() <= 1 for one in pictures)
+
+
+@pytest.mark.parametrize(("wide", "shown"), [(66, "arm chair"), (59, "arm cha…"), (36, "arm…"), (8, "…")])
+def test_a_label_is_cut_to_the_width_of_its_pictures(wide, shown):
+    """Of letters six wide, beside a margin of six; what nothing fits in gets the sign of what is left out."""
+    widths = iter([6 * n for n in (9, 8, 7, 6, 5, 4, 3, 2, 1)])
+    draw = SimpleNamespace(textlength=lambda text, font: min(next(widths), 6 * len(text)))
+    cell = SimpleNamespace(label="arm_chair", pictures=[range(wide)])
+    assert sheet._cut(cell, draw, None) == shown
