@@ -167,11 +167,10 @@ def test_so_many_pictures_hang_where_walls_have_room(base, counts):
     assert found == counts
 
 
-def test_what_ends_below_where_eyes_look_leaves_the_wall_free():
+@pytest.mark.parametrize(("span", "bare"), [
+    ((0.0, 1.29), True), ((0.0, 1.31), False), ((1.69, 2.2), False), ((1.71, 2.2), True)])
+def test_what_is_below_or_above_where_eyes_look_leaves_the_wall_free(span, bare):
     """A cabinet a metre long in the middle of three: the eyes see from 1.3 to 1.7 m."""
-    def middles(top):
-        face = SimpleNamespace(covered=[(1.0, 2.0, 0.0, top)], swept=[], length=3.0)
-        return [(s, low) for _, s, low in pictures.free([face], 0.9)]
-
-    assert middles(1.29) == [(1.5, 1.29)]
-    assert sorted(middles(1.31)) == [(0.5, 0.0), (2.5, 0.0)]
+    face = SimpleNamespace(covered=[(1.0, 2.0, *span)], swept=[], length=3.0)
+    found = sorted((s, low) for _, s, low in pictures.free([face], 0.9))
+    assert found == ([(1.5, span[1] if span[1] < 1.5 else 0.0)] if bare else [(0.5, 0.0), (2.5, 0.0)])
