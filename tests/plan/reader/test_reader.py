@@ -269,7 +269,7 @@ def test_what_is_not_understood_is_listed() -> None:
 
 @pytest.mark.parametrize(
     "prompt", ["", "  ", "hello there", "?!", "10000 rooms", "a flat with 10 000 bedrooms", "kitchen of 5000 m²",
-               "x " * 9000, "a 2 m² flat with one bedroom in total 2 m²"],
+               "1500 m2 living room, kitchen and bathroom", "x " * 9000, "a 2 m² flat with one bedroom in total 2 m²"],
 )  # fmt: skip
 def test_nonsense_and_the_absurd_are_bad_input(prompt: str) -> None:
     with pytest.raises(BadInput):
