@@ -202,3 +202,12 @@ def test_arguments_are_called_as_the_contract_calls_them(function, said) -> None
     member = ModuleType("stranger")
     vars(member)["double"] = function
     assert contract.fault(member, (Doubles,)) == said
+
+
+def test_a_member_that_a_package_brings_is_loaded_from_there(package, monkeypatch):
+    brought = {(package, "emu"): "theirs"}
+    monkeypatch.setattr(registry, "bringer", lambda folder, name: brought.get((folder, name)))
+    monkeypatch.setattr(registry, "_source", lambda folder, name: None)
+    monkeypatch.setattr(registry, "_brought_in", lambda plugin, protocols: plugin)
+    assert registry.load(package, "emu") == "theirs"
+    assert registry.load(package, "cat").sound == "meow"
